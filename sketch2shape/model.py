@@ -1,0 +1,148 @@
+"""The data that flows between the stages: small frozen dataclasses of NumPy arrays.
+
+Units: image coordinates are pixels of the picture as a viewer sees it, x to the right, y down, the centre of the
+first pixel at (0, 0). Solid coordinates are right-handed: x right, y down, z away from the viewer, unless said otherwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
+Bools = NDArray[np.bool_]
+
+Lines = Literal["wire", "dashed", "removed"]
+"""How hidden edges are drawn: like all others, dashed (or dotted), or not at all."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A decoded image.
+
+    pixels : (h, w, 3) uint8 RGB, EXIF orientation applied, transparency composited
+    source : name for messages and reports
+    """
+
+    pixels: NDArray[np.uint8]
+    source: str = "<array>"
+
+
+@dataclass(frozen=True)
+class Ink:
+    """What was drawn, at working size.
+
+    mask      : (h, w) bool, True where there is ink
+    strength  : (h, w) float32 in 0..1, how dark the ink is against its surroundings
+    pen_width : typical stroke width, working pixels
+    scale     : working pixels per picture pixel (<= 1 for large pictures)
+    page      : (3, 3) homography from picture pixels to the rectified page where a tilted page's border is visible, else None
+    """
+
+    mask: Bools
+    strength: NDArray[np.float32]
+    pen_width: float
+    scale: float = 1.0
+    page: Floats | None = None
+
+
+@dataclass(frozen=True)
+class FacePair:
+    """Two corresponding rings: f1[i] joins f2[i].
+
+    f1 : (n, 2) float, pixels, ring order
+    f2 : (n, 2) float, pixels, same order
+    """
+
+    f1: Floats
+    f2: Floats
+
+
+@dataclass(frozen=True)
+class TwoFaceObject:
+    """The object found in a drawing, in the picture's plane.
+
+    f1, f2     : (n, 2) float pixels, front and back face in ring order, f1[i] joins f2[i]
+    holes      : through-holes, each a pair of corresponding rings
+    confidence : 0..1, calibrated: of answers >= 0.9 at least 99 in 100 are right
+    lines      : how hidden edges are drawn
+    f2_drawn   : (m,) bool for f2 + holes' f2: False where the vertex was inferred, not seen
+    connectors : name of the connector that gave the order of f1 and of f2 ("ink" where the drawing decided)
+    noise      : rms distance between model and ink, pixels
+    page       : (3, 3) homography that rectifies a page photographed at a tilt, or None
+    """
+
+    f1: Floats
+    f2: Floats
+    holes: tuple[FacePair, ...] = ()
+    confidence: float = 1.0
+    lines: Lines = "wire"
+    f2_drawn: Bools | None = None
+    connectors: tuple[str, str] = ("ink", "ink")
+    noise: float = 0.0
+    page: Floats | None = None
+
+    @property
+    def rings(self) -> tuple[FacePair, ...]:
+        """The outer pair of rings, then the holes."""
+        return (FacePair(self.f1, self.f2), *self.holes)
+
+    @property
+    def vertices(self) -> Floats:
+        """(2m, 2) float pixels: f1, holes' f1, f2, holes' f2."""
+        return np.concatenate([r.f1 for r in self.rings] + [r.f2 for r in self.rings])
+
+    @property
+    def edges(self) -> Ints:
+        """(3m, 2) indices into `vertices`: front ring edges, back ring edges, connecting edges, for each ring in turn."""
+        return ring_edges([len(r.f1) for r in self.rings])
+
+    def swapped(self) -> TwoFaceObject:
+        """The same object with f1 and f2 (and those of the holes) exchanged."""
+        holes = tuple(FacePair(h.f2, h.f1) for h in self.holes)
+        return replace(self, f1=self.f2, f2=self.f1, holes=holes, connectors=self.connectors[::-1])
+
+
+def ring_edges(sizes: list[int]) -> Ints:
+    """(3m, 2) edges of a two-face object whose rings have these sizes, m their sum; order as in `TwoFaceObject.edges`."""
+    half, start, blocks = sum(sizes), 0, []
+    for n in sizes:
+        a = start + np.arange(n)
+        b = start + np.roll(np.arange(n), -1)
+        blocks += [np.c_[a, b], np.c_[a + half, b + half], np.c_[a, a + half]]
+        start += n
+    return np.concatenate(blocks).astype(np.intp)
+
+
+@dataclass(frozen=True)
+class Projection:
+    """How the object was projected onto the paper.
+
+    family   : "oblique", "axonometric" or "perspective"
+    evidence : why, and the numbers found (angles in degrees, focal length in pixels, ...), ready for JSON
+    """
+
+    family: Literal["oblique", "axonometric", "perspective"]
+    evidence: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Solid:
+    """The three-dimensional object.
+
+    vertices   : (2m, 3) float, same order as `TwoFaceObject.vertices`, in `unit`
+    ring_sizes : vertices of each ring of one face: the outer ring first, then the holes; m is their sum
+    projection : how it was projected, with evidence
+    unit       : name of the unit of length
+    warnings   : defaults that had to be assumed, in words
+    """
+
+    vertices: Floats
+    ring_sizes: tuple[int, ...]
+    projection: Projection
+    unit: str = "px"
+    warnings: tuple[str, ...] = ()

@@ -1,0 +1,3 @@
+"""The pipeline: read -> ink -> strokes -> corners -> faces -> verified object -> solid."""
+
+from __future__ import annotations
