@@ -1,0 +1,55 @@
+"""From a drawing of a prism-like object to an exact, watertight solid.
+
+>>> import sketch2shape as s2s
+>>> result = s2s.reconstruct("image.png")  # doctest: +SKIP
+>>> result.export("out.obj")  # doctest: +SKIP
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+__version__ = "0.1.0"
+
+#: public name -> module that defines it; loaded on first use, so that importing the package stays cheap
+_PUBLIC = {
+    "reconstruct": "reconstruct",
+    "reconstruct_many": "batch",
+    "read_picture": "read",
+    "find_ink": "ink",
+    "trace_strokes": "strokes",
+    "detect_corners": "corners",
+    "separate_faces": "separate",
+    "connect": "connect",
+    "connect_faces": "connect",
+    "lift": "lift",
+    "Result": "result",
+    "Picture": "model",
+    "Ink": "model",
+    "FacePair": "model",
+    "TwoFaceObject": "model",
+    "Projection": "model",
+    "Solid": "model",
+    "Sketch2ShapeError": "errors",
+    "UsageError": "errors",
+    "PointsError": "errors",
+    "UnreadableError": "errors",
+    "NoObjectError": "errors",
+    "LimitError": "errors",
+    "WriteError": "errors",
+    "MissingPackageError": "errors",
+}
+
+__all__ = ["__version__", *_PUBLIC]
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name on first use."""
+    if name not in _PUBLIC:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_PUBLIC[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
