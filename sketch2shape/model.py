@@ -1,7 +1,7 @@
 """The data that flows between the stages: small frozen dataclasses of NumPy arrays.
 
 Units: image coordinates are pixels of the picture as a viewer sees it, x to the right, y down, the centre of the
-first pixel at (0, 0). Solid coordinates are right-handed: x right, y down, z away from the viewer, unless said otherwise.
+first pixel at (0, 0). Solid coordinates are right-handed: x right, y down, z away from the viewer.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Ink:
     strength  : (h, w) float32 in 0..1, how dark the ink is against its surroundings
     pen_width : typical stroke width, working pixels
     scale     : working pixels per picture pixel (<= 1 for large pictures)
-    page      : (3, 3) homography from picture pixels to the rectified page where a tilted page's border is visible, else None
+    page      : (3, 3) homography from picture pixels to the rectified page if a tilted page is seen whole, else None
     """
 
     mask: Bools
@@ -98,7 +98,7 @@ class TwoFaceObject:
 
     @property
     def edges(self) -> Ints:
-        """(3m, 2) indices into `vertices`: front ring edges, back ring edges, connecting edges, for each ring in turn."""
+        """(3m, 2) indices into `vertices`: front, back and connecting edges of each ring in turn."""
         return ring_edges([len(r.f1) for r in self.rings])
 
     def swapped(self) -> TwoFaceObject:
@@ -108,7 +108,7 @@ class TwoFaceObject:
 
 
 def ring_edges(sizes: list[int]) -> Ints:
-    """(3m, 2) edges of a two-face object whose rings have these sizes, m their sum; order as in `TwoFaceObject.edges`."""
+    """(3m, 2) edges of a two-face object with rings of these sizes (sum m); order as in `TwoFaceObject.edges`."""
     half, start, blocks = sum(sizes), 0, []
     for n in sizes:
         a = start + np.arange(n)
