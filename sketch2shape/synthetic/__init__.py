@@ -1,0 +1,1 @@
+"""Test drawings with truth: random two-face objects in every style and medium, from a seed."""

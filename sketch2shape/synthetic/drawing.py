@@ -1,0 +1,168 @@
+"""One test drawing with its truth: `draw("photo_wire", seed=3, index=0)`; the same arguments give the same bytes."""
+
+from __future__ import annotations
+
+import json
+import zlib
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Floats
+from sketch2shape.synthetic.hand import moved_vertices, strokes_of
+from sketch2shape.synthetic.marks import MARKS, shading
+from sketch2shape.synthetic.media import MEDIA, Style
+from sketch2shape.synthetic.negatives import NEGATIVES
+from sketch2shape.synthetic.papers import CAPTURES, Image, ink_on, mapped, paper, to_pixels
+from sketch2shape.synthetic.pens import coverage
+from sketch2shape.synthetic.recipes import RECIPES, Recipe, annotated
+from sketch2shape.synthetic.scenes import Scene, scene
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A drawing with truth.
+
+    pixels : (h, w, 3) uint8 RGB, or (h, w, 4) RGBA on a transparent ground
+    truth  : JSON-ready: f1, f2, holes, lines, projection, solid, ...; a sheet has `objects`
+    suffix : file format that suits the medium
+    """
+
+    pixels: NDArray[np.uint8]
+    truth: dict[str, Any]
+    suffix: str
+
+    def encoded(self) -> bytes:
+        """The picture file."""
+        order = cv2.COLOR_RGBA2BGRA if self.pixels.shape[2] == 4 else cv2.COLOR_RGB2BGR
+        options = [cv2.IMWRITE_JPEG_QUALITY, 82] if self.suffix == ".jpg" else [cv2.IMWRITE_PNG_COMPRESSION, 9]
+        return bytes(cv2.imencode(self.suffix, cv2.cvtColor(self.pixels, order), options)[1])
+
+    def save(self, folder: Path) -> Path:
+        """Write FOLDER/CATEGORY/ID.png (or .jpg) and the truth beside it; returns the picture's path."""
+        target = folder / f"{self.truth['id']}{self.suffix}"
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(self.encoded())
+        target.with_suffix(".json").write_text(json.dumps(self.truth))
+        return target
+
+
+def draw(category: str, seed: int, index: int, *, shapes: str | None = None) -> Drawing:
+    """Drawing number `index` of a category (a name in `RECIPES`); `shapes` overrides the recipe's."""
+    recipe = RECIPES[category]
+    if shapes:
+        recipe = replace(recipe, wish=replace(recipe.wish, shapes=shapes))
+    rng = np.random.default_rng([seed, zlib.crc32(category.encode()), index])
+    medium = recipe.media[index % len(recipe.media)]
+    style = MEDIA[medium](rng)
+    facts = {"medium": _scored_medium(medium, recipe), "category": category, "id": f"{category}/{index:03d}"}
+    if recipe.objects == (0, 0):
+        return _negative(style, index, facts, rng)
+    if recipe.objects != (1, 1):
+        return _sheet(recipe, style, facts, rng)
+    return _single(recipe, style, facts, rng)
+
+
+def _scored_medium(medium: str, recipe: Recipe) -> str:
+    return "annotated" if recipe.marks and medium == "clean" else medium
+
+
+def _single(recipe: Recipe, style: Style, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
+    style = _roomy(style, recipe)
+    made = scene(recipe.wish, style.size, style.pen.width, rng, 0.58 if annotated(recipe) else 0.84)
+    points = moved_vertices(made, style.hand, rng)
+    lines = recipe.wish.lines
+    ink = style.pen.alpha * coverage(strokes_of(made, points, lines, style.hand, rng), style.pen, style.size, rng)
+    for name in _chosen(recipe.marks, rng):
+        ink = np.maximum(ink, MARKS[name](made, points, style.size, style.pen, rng))
+    sheet = paper(style.pattern, style.size, style.ground, rng)
+    if "shading" in recipe.marks:
+        red, green, blue = (int(v) for v in rng.integers(40, 200, 3))
+        tint = (red, green, blue) if rng.random() < 0.5 else (60, 60, 60)
+        sheet = ink_on(sheet, shading(made, points, style.size, lines, rng), tint)
+    image = ink_on(sheet, ink, style.pen.colour)
+    truth = made.truth(lines, points) | facts
+    if "cut" in recipe.marks:
+        image, truth = _cut(image, truth, style, rng)
+    if style.clear:
+        colour = np.full((*ink.shape, 3), style.pen.colour, np.float32)
+        image = np.dstack([colour, ink * 255])
+    return _captured(image, truth, style, rng)
+
+
+def _roomy(style: Style, recipe: Recipe) -> Style:
+    """A larger sheet where many vertices or annotations have to fit."""
+    if annotated(recipe) or "shading" in recipe.marks:
+        return replace(style, size=(800, 600))
+    if recipe.wish.shapes == "large" or recipe.wish.holes:
+        return replace(style, size=(900, 700))
+    return style
+
+
+def _chosen(marks: tuple[str, ...], rng: np.random.Generator) -> list[str]:
+    names = [m for m in marks if m in MARKS]
+    if len(names) <= 1:
+        return names
+    return [str(n) for n in rng.choice(names, int(rng.integers(2, 5)), replace=False)]
+
+
+def _cut(image: Image, truth: dict[str, Any], style: Style, rng: np.random.Generator) -> tuple[Image, dict[str, Any]]:
+    """Crop so that the border touches the object on one or two sides: its outermost strokes are half cut off."""
+    points = np.array(truth["f1"] + truth["f2"])
+    low = np.maximum(np.floor(points.min(0)).astype(int), 0)
+    high = np.ceil(points.max(0)).astype(int) + 1
+    keep = rng.integers(0, 2, 4)
+    x0, y0 = int(low[0] * keep[0]), int(low[1] * keep[1])
+    x1, y1 = (int(high[k]) if keep[2 + k] else style.size[k] for k in (0, 1))
+    return image[y0:y1, x0:x1], _moved(truth, np.array([[1, 0, -x0], [0, 1, -y0], [0, 0, 1.0]]))
+
+
+def _sheet(recipe: Recipe, style: Style, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
+    """Several objects in the cells of a larger sheet."""
+    count = int(rng.integers(recipe.objects[0], recipe.objects[1] + 1))
+    cell = (520, 420)
+    full = (cell[0] * 2, cell[1] * (1 if count <= 2 else 2))
+    strokes, objects = [], []
+    for place in rng.permutation(4 if count > 2 else 2)[:count]:
+        offset = np.array([place % 2 * cell[0], place // 2 * cell[1]], float)
+        made = _shifted(scene(recipe.wish, cell, style.pen.width, rng, 0.74), offset)
+        points = moved_vertices(made, style.hand, rng)
+        strokes += strokes_of(made, points, recipe.wish.lines, style.hand, rng)
+        objects.append(made.truth(recipe.wish.lines, points) | {"medium": facts["medium"]})
+    ink = style.pen.alpha * coverage(strokes, style.pen, full, rng)
+    image = ink_on(paper(style.pattern, full, style.ground, rng), ink, style.pen.colour)
+    truth = {"objects": objects, "profile": "+".join(o["profile"] for o in objects), "lines": recipe.wish.lines}
+    return _captured(image, truth | {"projection": {"family": "mixed"}} | facts, style, rng)
+
+
+def _shifted(made: Scene, offset: Floats) -> Scene:
+    return replace(made, points=made.points + offset)
+
+
+def _negative(style: Style, index: int, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
+    name = list(NEGATIVES)[index % len(NEGATIVES)]
+    ink = style.pen.alpha * NEGATIVES[name](style.size, style.pen, style.hand, rng)
+    image = ink_on(paper(style.pattern, style.size, style.ground, rng), ink, style.pen.colour)
+    truth = {"objects": [], "profile": name, "lines": "none", "projection": {"family": "none"}} | facts
+    return _captured(image, truth, style, rng)
+
+
+def _captured(image: Image, truth: dict[str, Any], style: Style, rng: np.random.Generator) -> Drawing:
+    taken, homography = CAPTURES[style.capture](image, rng)
+    pixels = to_pixels(taken)
+    size = {"width": int(pixels.shape[1]), "height": int(pixels.shape[0])}
+    if "objects" in truth:
+        objects = [_moved(o, homography) | size for o in truth["objects"]]
+        return Drawing(pixels, truth | {"objects": objects} | size, style.suffix)
+    return Drawing(pixels, _moved(truth, homography) | size, style.suffix)
+
+
+def _moved(truth: dict[str, Any], homography: Floats) -> dict[str, Any]:
+    def rings(pair: dict[str, Any]) -> dict[str, Any]:
+        return {k: np.round(mapped(np.array(pair[k]), homography), 3).tolist() for k in ("f1", "f2")}
+
+    return truth | rings(truth) | {"holes": [rings(h) for h in truth["holes"]]}
