@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+import os
+import tempfile
 from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
 
+from sketch2shape.errors import WriteError
 from sketch2shape.model import Picture, Solid, TwoFaceObject
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
 
 
 @dataclass(frozen=True)
@@ -21,3 +30,41 @@ class Result:
     solids: tuple[Solid, ...]
     picture: Picture
     timings_ms: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def mesh(self) -> Trimesh:
+        """All solids as one `trimesh.Trimesh`, a body for each; vertices in the solids' order."""
+        from sketch2shape.export import to_trimesh
+
+        return to_trimesh(self.solids)
+
+    def export(self, path: str | PathLike[str], format: str | None = None, *, ngons: bool = False) -> Path:
+        """Write the solids to a file, all or nothing, and return its path.
+
+        format : a key of `sketch2shape.export.FORMATS`; None takes it from the extension
+        ngons  : in OBJ, write whole polygons as faces instead of triangles
+
+        Raises UsageError for an unknown format, WriteError if the file cannot be written.
+        """
+        from sketch2shape.export import encode, format_of
+
+        target = Path(path)
+        _write_atomic(target, encode(self, format or format_of(target), ngons=ngons))
+        return target
+
+
+def _write_atomic(target: Path, data: bytes) -> None:
+    """Write beside the target, flush, then rename: the target is never half written."""
+    try:
+        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+            Path(name).replace(target)
+        except BaseException:
+            Path(name).unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        raise WriteError(f"cannot write {target}: {error.strerror or error}") from error

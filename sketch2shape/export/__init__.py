@@ -1,0 +1,8 @@
+"""Writing solids down: meshes, CAD and drawing formats, all as bytes; nothing here touches the disk."""
+
+from __future__ import annotations
+
+from sketch2shape.export.encode import FORMATS, encode, format_of
+from sketch2shape.export.mesh import mesh_faces, to_trimesh
+
+__all__ = ["FORMATS", "encode", "format_of", "mesh_faces", "to_trimesh"]

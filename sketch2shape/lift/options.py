@@ -1,0 +1,101 @@
+"""What a user may fix about a solid: projection, sizes, unit, axes, reading."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+from sketch2shape.errors import UsageError
+
+Family = Literal["auto", "oblique", "axonometric", "perspective"]
+Unit = Literal["px", "mm", "cm", "m", "in"]
+
+#: length of each unit in millimetres; a pixel has none
+_MILLIMETRES: dict[str, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
+
+_LENGTH = re.compile(r"\s*([0-9]*\.?[0-9]+(?:[eE][+-]?[0-9]+)?)\s*(mm|cm|m|in|px)?\s*")
+
+
+@dataclass(frozen=True)
+class LiftOptions:
+    """How a drawing is lifted to a solid.
+
+    projection  : "auto" tells the family from the drawing; a name imposes it
+    depth       : distance between the two faces, as "40mm", "1.5in" or a number in `unit`; None: from the drawing
+    width       : overall size of the object along its width, fixes the scale; as `depth`
+    height      : overall size along its height, fixes the scale if `width` does not
+    depth_ratio : drawn over true length of receding edges in an oblique drawing; None: 0.5 (cabinet) unless the drawing
+                  says otherwise
+    unit        : unit of length of the solid; "px" with a size in millimetres means millimetres
+    up          : None keeps the viewer's axes (x right, y down, z away); "y" or "z" turns the object upright into its
+                  own axes, with that axis upward
+    necker      : take the mirrored reading, in which near and far are exchanged
+    beautify    : make nearly right angles, parallels, equal lengths and symmetry exact
+
+    Raises UsageError for values that make no sense.
+    """
+
+    projection: Family = "auto"
+    depth: str | float | None = None
+    width: str | float | None = None
+    height: str | float | None = None
+    depth_ratio: float | None = None
+    unit: Unit = "px"
+    up: Literal["y", "z"] | None = None
+    necker: bool = False
+    beautify: bool = True
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be meant, before any work is done."""
+        _one_of("projection", self.projection, ("auto", "oblique", "axonometric", "perspective"))
+        _one_of("unit", self.unit, ("px", *_MILLIMETRES))
+        _one_of("up", self.up, (None, "y", "z"))
+        for name in ("depth", "width", "height"):
+            length(getattr(self, name), "mm")
+        ratio = self.depth_ratio
+        if ratio is not None and not (math.isfinite(ratio) and 0.05 <= ratio <= 5.0):
+            raise UsageError(f"depth ratio {ratio} is not between 0.05 and 5", remedy="0.5 (cabinet) or 1 (cavalier)")
+
+    @property
+    def solid_unit(self) -> str:
+        """The unit the solid will have: `unit`, or the unit of the first size given if `unit` is left at pixels."""
+        if self.unit != "px":
+            return self.unit
+        for size in (self.width, self.height, self.depth):
+            match = _LENGTH.fullmatch(size) if isinstance(size, str) else None
+            if match and match[2] not in (None, "px"):
+                return match[2]
+        return "px"
+
+    def sizes(self) -> tuple[float | None, float | None, float | None]:
+        """Width, height and depth asked for, in `solid_unit`."""
+        unit = self.solid_unit
+        return length(self.width, unit), length(self.height, unit), length(self.depth, unit)
+
+
+def length(text: str | float | None, unit: str) -> float | None:
+    """A length such as "40mm", "1.5 in" or 12.5 in the unit given; a bare number is already in it.
+
+    >>> length("40mm", "cm")
+    4.0
+
+    Raises UsageError if it is not a positive length.
+    """
+    if text is None:
+        return None
+    match = _LENGTH.fullmatch(str(text))
+    value = float(match[1]) if match else math.nan
+    if not (match and 0.0 < value < 1e9):
+        raise UsageError(f"{text!r} is not a length", remedy="a positive number with mm, cm, m or in, as in 40mm")
+    own = match[2] or unit
+    if own == unit or "px" in (own, unit):
+        return value
+    return value * _MILLIMETRES[own] / _MILLIMETRES[unit]
+
+
+def _one_of(name: str, value: object, allowed: tuple[object, ...]) -> None:
+    if value not in allowed:
+        words = ", ".join(str(a) for a in allowed if a is not None)
+        raise UsageError(f"{name} cannot be {value!r}", remedy=f"one of {words}")

@@ -1,0 +1,97 @@
+import io
+
+import manifold3d
+import numpy as np
+import pytest
+import trimesh
+
+from sketch2shape.errors import UsageError
+from sketch2shape.export import encode, format_of, mesh_faces, to_trimesh
+from sketch2shape.model import Projection, Solid
+
+L_SHAPE = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2.0]])
+HOLE = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]])
+
+
+def prism(rings, depth=2.0, scale=1.0):
+    flat = np.concatenate(rings)
+    front = np.c_[flat, np.zeros(len(flat))]
+    back = np.c_[flat * scale, np.full(len(flat), depth)]
+    return Solid(np.concatenate([front, back]), tuple(len(r) for r in rings), Projection("oblique"))
+
+
+def manifold_volume(mesh):
+    body = manifold3d.Manifold(
+        manifold3d.Mesh(np.asarray(mesh.vertices, np.float32), np.asarray(mesh.faces, np.uint32))
+    )
+    assert body.status() == manifold3d.Error.NoError
+    return body.volume()
+
+
+@pytest.mark.parametrize("ring", [L_SHAPE, L_SHAPE[::-1]], ids=["one way", "other way"])
+@pytest.mark.parametrize("depth", [2.0, -2.0])
+def test_prism_is_a_solid_of_the_right_volume(ring, depth):
+    solid = prism([ring], depth)
+    mesh = to_trimesh(solid)
+    assert mesh.is_watertight
+    assert mesh.volume == pytest.approx(8.0)
+    assert manifold_volume(mesh) == pytest.approx(8.0, rel=1e-5)
+    assert (solid.volume, solid.area) == pytest.approx((mesh.volume, mesh.area))
+
+
+def test_hole_goes_through():
+    mesh = to_trimesh(prism([L_SHAPE, HOLE]))
+    assert mesh.volume == pytest.approx(8.0 - 0.5)
+    assert mesh.euler_number == 0
+    assert manifold_volume(mesh) == pytest.approx(7.5, rel=1e-5)
+
+
+def test_vertex_on_a_straight_edge_stays():
+    ring = np.array([[0, 0], [1, 0], [2, 0], [2, 1], [0, 1.0]])
+    mesh = to_trimesh(prism([ring]))
+    assert len(mesh.vertices) == 10
+    assert mesh.is_watertight
+    assert mesh.volume == pytest.approx(4.0)
+
+
+def test_faces_of_a_frustum_point_outward():
+    solid = prism([np.array([[-1, -1], [1, -1], [1, 1], [-1, 1.0]])], depth=3.0, scale=0.5)
+    assert solid.volume == pytest.approx(3.0 / 3.0 * (4 + 1 + 2))
+    assert len(solid.faces) == 6
+    assert to_trimesh(solid).volume == pytest.approx(7.0)
+    assert solid.dimensions == pytest.approx((2.0, 2.0, 3.0))
+
+
+@pytest.mark.parametrize("format", ["obj", "stl", "stl-ascii", "ply", "glb", "off"])
+@pytest.mark.parametrize("count", [1, 2])
+def test_formats_give_the_solid_back(format, count):
+    solids = [prism([L_SHAPE + 10.0 * k, HOLE + 10.0 * k]) for k in range(count)]
+    data = encode(solids, format)
+    mesh = trimesh.load(io.BytesIO(data), file_type=format.split("-")[0], force="mesh")
+    assert mesh.is_watertight
+    assert mesh.is_winding_consistent
+    assert len(mesh.vertices) == 20 * count
+    assert mesh.volume == pytest.approx(7.5 * count, rel=1e-4)
+    assert len(mesh.split()) == count
+
+
+def test_obj_keeps_the_order_of_vertices_and_can_hold_polygons():
+    solid = prism([L_SHAPE])
+    text = encode(solid, "obj", ngons=True).decode()
+    rows = [line.split() for line in text.splitlines()]
+    assert np.allclose([[float(x) for x in r[1:]] for r in rows if r[0] == "v"], solid.vertices)
+    assert sorted(len(r) - 1 for r in rows if r[0] == "f") == [4] * 6 + [6, 6]
+
+
+def test_both_caps_use_the_same_triangles():
+    solid = prism([L_SHAPE])
+    faces = mesh_faces(solid)
+    assert {frozenset(f) for f in faces[:4].tolist()} == {frozenset(i - 6 for i in f) for f in faces[4:8].tolist()}
+
+
+def test_format_is_known_by_its_extension():
+    assert format_of("a/b.STL") == "stl"
+    with pytest.raises(UsageError, match=r"\.?xyz"):
+        format_of("a.xyz")
+    with pytest.raises(UsageError, match="unknown format"):
+        encode([], "xyz")
