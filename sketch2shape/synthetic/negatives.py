@@ -109,7 +109,8 @@ def cylinder(size: Sheet, pen: Pen, _hand: Hand, rng: np.random.Generator) -> Co
     flat = rng.uniform(0.2, 0.4)
     top = np.c_[np.cos(t), flat * np.sin(t)]
     height = rng.uniform(1.2, 2.2)
-    paths = [top, [*top, 0, height], np.array([[-1, 0], [-1, height]]), np.array([[1, 0], [1, height]])]
+    bottom = top + np.array([0, height])
+    paths = [top, bottom, np.array([[-1, 0], [-1, height]]), np.array([[1, 0], [1, height]])]
     every = np.vstack(paths)
     middle, span = (every.min(0) + every.max(0)) / 2, np.ptp(every, axis=0).max()
     fitted = [(p - middle) / span * 0.7 * min(size) + np.array(size) / 2 for p in paths]

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sketch2shape.synthetic.drawing import draw
+from sketch2shape.synthetic.negatives import NEGATIVES
 from sketch2shape.synthetic.recipes import RECIPES
 
 
@@ -54,11 +55,13 @@ def test_photo_truth_follows_the_tilt_of_the_page():
 
 @pytest.mark.parametrize("lines", ["dashed", "removed"])
 def test_a_hidden_corner_of_a_box_is_dashed_or_left_out(lines):
-    drawing = draw(f"clean_{lines}_oblique", 8, 0, shapes="square")
-    f1, f2 = (np.array(drawing.truth[k]) for k in ("f1", "f2"))
-    low, high = f1.min(0), f1.max(0)
-    (hidden,) = [p for p in f2 if (p > low).all() and (p < high).all()]
-    x, y = np.round(hidden).astype(int)
+    for index in range(20):
+        drawing = draw(f"clean_{lines}_oblique", 8, index, shapes="square")
+        f1, f2 = (np.array(drawing.truth[k]) for k in ("f1", "f2"))
+        inside = f2[(f2 > f1.min(0) + 5).all(1) & (f2 < f1.max(0) - 5).all(1)]
+        if len(inside) == 1:
+            break
+    x, y = np.round(inside[0]).astype(int)
     inked = (drawing.pixels.min(2) < 160)[y - 2 : y + 3, x - 2 : x + 3].any()
     assert inked == (lines == "dashed")
 
@@ -71,3 +74,10 @@ def test_every_category_can_be_drawn_small_enough_to_score(category):
         points = np.array(thing["f1"] + thing["f2"])
         inside = (points > -3) & (points < np.array([truth["width"], truth["height"]]) + 3)
         assert inside.all()
+
+
+@pytest.mark.parametrize("index", range(len(NEGATIVES)))
+def test_negatives_hold_no_object_but_ink(index):
+    drawing = draw("negative", 1, index)
+    assert drawing.truth["objects"] == []
+    assert (np.ptp(drawing.pixels) > 40) == (drawing.truth["profile"] != "blank" or drawing.suffix == ".jpg")
