@@ -23,7 +23,7 @@ ONE_EACH = (
     *("accident_coincident", "rounded_wire", "multi_wire", "multi_removed", "letters", "annotated_dashed"),
     *("annotated_removed", "shaded_wire", "shaded_removed", "dots", "diagonals", "cut"),
 )
-NEGATIVES = (0, 1, 2, 3, 4, 5, 8, 9, 12, 15)
+NEGATIVES = (0, 1, 3, 5, 8, 9, 12, 13, 15, 17)
 
 
 def main() -> None:

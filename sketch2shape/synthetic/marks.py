@@ -126,10 +126,8 @@ def dots(_scene: Scene, points: Floats, size: tuple[int, int], pen: Pen, _rng: n
 def diagonals(scene: Scene, points: Floats, size: tuple[int, int], pen: Pen, rng: np.random.Generator) -> Coverage:
     """Auxiliary lines: a diagonal of the front face or of the body, dashed."""
     n, half = scene.sizes[0], scene.half
-    if n < 4:
-        return np.zeros(size[::-1], np.float32)
     i = int(rng.integers(n))
-    j = (i + n // 2) % n + (half if rng.random() < 0.5 else 0)
+    j = (i + n // 2) % n + (half if n < 4 or rng.random() < 0.5 else 0)
     fine = Pen(max(pen.width * 0.7, 1.0), dash=(1.2, 1.1))
     return coverage([Stroke(np.array([points[i], points[j]]), hidden=True)], fine, size, rng)
 

@@ -207,7 +207,11 @@ def table(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Covera
 
 def crossing_lines(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """Long lines across the sheet."""
-    paths = [rng.uniform(0.05, 0.95, (2, 2)) * size for _ in range(int(rng.integers(2, 8)))]
+    paths = []
+    for turn in rng.uniform(0, np.pi, int(rng.integers(2, 8))):
+        middle = rng.uniform(0.35, 0.65, 2) * size
+        reach = np.array([np.cos(turn), np.sin(turn)]) * min(size) * rng.uniform(0.3, 0.45)
+        paths.append(np.array([middle - reach, middle + reach]))
     return _strokes(paths, size, pen, hand, rng)
 
 
