@@ -192,9 +192,7 @@ def solid_faces(vertices: Floats, ring_sizes: tuple[int, ...]) -> tuple[tuple[tu
         front.append(ring if outward != bool(front) else ring[::-1])
         start += n
     back = tuple(tuple(i + half for i in ring[::-1]) for ring in front)
-    sides = (
-        ((ring[i - 1], ring[i - 1] + half, ring[i] + half, ring[i]),) for ring in front for i in range(len(ring))
-    )
+    sides = (((ring[i - 1], ring[i - 1] + half, ring[i] + half, ring[i]),) for ring in front for i in range(len(ring)))
     return (tuple(front), back, *sides)
 
 

@@ -1,0 +1,22 @@
+"""Shared by all tests: the committed drawings with their truth."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+DRAWINGS = Path(__file__).parent.parent / "data" / "synthetic"
+
+
+def pytest_generate_tests(metafunc):
+    """Run a test that takes `drawing` once for each committed drawing: (picture's path, truth)."""
+    if "drawing" in metafunc.fixturenames:
+        files = sorted(DRAWINGS.glob("*/*.json"))
+        pairs = [(next(p for p in f.parent.glob(f"{f.stem}.*") if p != f), json.loads(f.read_text())) for f in files]
+        metafunc.parametrize("drawing", pairs, ids=[t["id"] for _, t in pairs])
+
+
+@pytest.fixture(scope="session")
+def drawings():
+    """Folder of the committed drawings."""
+    return DRAWINGS
