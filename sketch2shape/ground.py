@@ -1,0 +1,167 @@
+"""Ground: working size, and how far every pixel stands off the paper towards ink.
+
+Ink is darker than a light ground and lighter than a dark one; which of the two is decided by what is thin. On an
+even ground the reference is one colour per channel. On an uneven one (photo, shadow, grey scan) it is the picture
+itself with everything narrow closed away, as in the division of a document by its background.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Gray = NDArray[np.uint8]
+
+LONG_SIDE = 1100
+"""Long side of the working size for large pictures, pixels."""
+SMALL_SIDE = 300
+"""Pictures with a shorter long side are enlarged so that junctions separate."""
+FEW_LEVELS = 12
+"""A picture nine tenths of which have fewer grey levels than this was not lit by a lamp."""
+COLOUR_SHARE = 0.6
+"""Weight of the channel with the most contrast against that of the luminance: pale coloured ink still counts."""
+
+
+@dataclass(frozen=True)
+class Ground:
+    """The picture against its paper.
+
+    contrast : (h, w) uint8, 0 on the paper, 255 for the strongest possible ink
+    rgb      : (h, w, 3) uint8, the picture at working size
+    paper    : (h/2, w/2) uint8 luminance of the paper without ink, or None where the ground is even
+    even     : one ground colour all over the picture
+    noise    : standard deviation of `contrast` on the paper
+    scale    : working pixels per picture pixel
+    """
+
+    contrast: Gray
+    rgb: Gray
+    paper: Gray | None
+    even: bool
+    noise: float
+    scale: float
+
+
+def read_ground(pixels: Gray) -> Ground:
+    """Bring (h, w, 3) RGB pixels to working size and measure their contrast against the paper."""
+    rgb, scale = at_working_size(pixels)
+    gray = _u8(cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY))
+    ground = _frame_level(gray)
+    even = _is_even(gray, ground)
+    dark = _is_dark(gray, ground, even)
+    beyond = np.count_nonzero(gray < ground - 24 if dark else gray > ground + 24)
+    even = even and bool(beyond < 0.2 * gray.size)  # else the frame shows the table, and the page lies on it
+    planes = [_u8(p) for p in (gray, *cv2.split(rgb))] if _is_coloured(rgb) else [gray]
+    if dark:
+        planes = [_u8(cv2.bitwise_not(p)) for p in planes]
+    papers = [_even_paper(p) if even else _uneven_paper(p) for p in planes]
+    contrasts = [_contrast(p, q) for p, q in zip(planes, papers, strict=True)]
+    contrast = contrasts[0]
+    if len(contrasts) > 1:
+        strongest = np.max(np.stack(contrasts[1:]), axis=0)
+        contrast = np.maximum(contrast, _u8(cv2.convertScaleAbs(strongest, alpha=COLOUR_SHARE)))
+    noise = _noise_of(contrast)
+    if not even:
+        contrast = _u8(cv2.subtract(contrast, np.full_like(contrast, _mode(contrast))))
+    if noise > 3.0:
+        contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
+    return Ground(contrast, rgb, None if even else papers[0], even, noise, scale)
+
+
+def at_working_size(pixels: Gray) -> tuple[Gray, float]:
+    """(h, w, 3) RGB -> the same at working size, and working pixels per picture pixel.
+
+    Large pictures are averaged over areas so that hairlines pale instead of breaking; small ones are interpolated.
+    """
+    h, w = pixels.shape[:2]
+    side = max(h, w)
+    if SMALL_SIDE <= side <= LONG_SIDE:
+        return pixels, 1.0
+    scale = LONG_SIDE / side if side > LONG_SIDE else (3.0 if 2 * side < SMALL_SIDE else 2.0)
+    size = (max(1, round(w * scale)), max(1, round(h * scale)))
+    method = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
+    return _u8(cv2.resize(pixels, size, interpolation=method)), scale
+
+
+def _u8(array: NDArray[np.generic]) -> Gray:
+    return np.asarray(array, dtype=np.uint8)
+
+
+def _is_even(gray: Gray, ground: int) -> bool:
+    """The ground is one narrow peak (seen at half size, without noise), or very few levels hold all: flat fills."""
+    half = cv2.resize(gray, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    levels = cv2.calcHist([half], [0], None, [256], [0, 256]).ravel()
+    fullest = np.cumsum(np.sort(levels)[::-1])
+    peak = levels[max(0, ground - 6) : ground + 7].sum()
+    hump = levels[max(0, ground - 24) : ground + 25].sum()
+    narrow = peak > 0.85 * hump and peak > 0.3 * fullest[-1]
+    return bool(narrow or np.searchsorted(fullest, 0.9 * fullest[-1]) < FEW_LEVELS)
+
+
+def _frame_level(gray: Gray) -> int:
+    """Commonest level of the picture's frame (a twentieth of each side), where the drawing seldom is."""
+    h, w = gray.shape
+    y, x = max(1, h // 20), max(1, w // 20)
+    parts = (gray[:y], gray[-y:], gray[y:-y, :x], gray[y:-y, -x:])
+    counts = np.bincount(np.concatenate([p.ravel() for p in parts]), minlength=256)
+    return int(np.argmax(np.convolve(counts, np.ones(5), mode="same")))
+
+
+def _is_coloured(rgb: Gray) -> bool:
+    """Some pixels are clearly not grey."""
+    red, green, blue = cv2.split(rgb)
+    tint = np.maximum(cv2.absdiff(red, green), cv2.absdiff(green, blue))
+    return bool(np.count_nonzero(tint > 50) > 0.0005 * tint.size)
+
+
+def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
+    """Light ink on a dark ground: by the side of the ground on which the rest lies, else by what is thin."""
+    dark, light = np.count_nonzero(gray < ground - 24), np.count_nonzero(gray > ground + 24)
+    if dark == light == 0:
+        return ground < 128
+    if even and min(dark, light) < 0.003 * max(dark, light):
+        return bool(light > dark)
+    half = cv2.resize(gray, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    box = cv2.getStructuringElement(cv2.MORPH_RECT, (9, 9))
+    light_thin, dark_thin = (cv2.morphologyEx(half, hat, box) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT))
+    return bool(cv2.norm(light_thin, cv2.NORM_L2SQR) > cv2.norm(dark_thin, cv2.NORM_L2SQR))
+
+
+def _even_paper(plane: Gray) -> Gray:
+    return np.full_like(plane, max(_frame_level(plane), 1))
+
+
+def _uneven_paper(plane: Gray) -> Gray:
+    """The plane at half size with all dark things narrower than about a twentieth of the picture closed away.
+
+    The border is continued outwards, else a strip of table along it would count as a stroke.
+    """
+    h, w = plane.shape
+    half = cv2.resize(plane, (max(1, w // 2), max(1, h // 2)), interpolation=cv2.INTER_AREA)
+    size = 2 * (max(half.shape) // 48) + 3
+    half = cv2.copyMakeBorder(half, size, size, size, size, cv2.BORDER_REPLICATE)
+    half = cv2.morphologyEx(half, cv2.MORPH_CLOSE, cv2.getStructuringElement(cv2.MORPH_RECT, (size, size)))
+    half = cv2.blur(half, (5, 5))
+    return _u8(half[size:-size, size:-size])
+
+
+def _contrast(plane: Gray, paper: Gray) -> Gray:
+    """1 - plane / paper in 255ths, with the paper enlarged where it comes at half size."""
+    if paper.shape != plane.shape:
+        paper = _u8(cv2.resize(paper, plane.shape[::-1], interpolation=cv2.INTER_LINEAR))
+    return _u8(cv2.bitwise_not(_u8(cv2.divide(plane, paper, scale=255.0))))
+
+
+def _noise_of(contrast: Gray) -> float:
+    """Standard deviation of white noise: from the median of what a 3 x 3 binomial filter takes away."""
+    rough = cv2.absdiff(contrast, cv2.GaussianBlur(contrast, (3, 3), 0))
+    counts = np.cumsum(cv2.calcHist([rough], [0], None, [256], [0, 256]).ravel())
+    return 1.85 * float(np.searchsorted(counts, 0.5 * counts[-1]))
+
+
+def _mode(contrast: Gray) -> int:
+    """Commonest contrast in the paper's range: what closing the noise away has added."""
+    return int(np.argmax(cv2.calcHist([contrast], [0], None, [64], [0, 64]).ravel()))

@@ -1,0 +1,144 @@
+"""Page: the sheet of paper in a photo, the table around it, and the map that takes the tilt away.
+
+The paper map of the ground knows neither strokes nor texture; where it is smooth lies one surface, and a step is the
+edge of the page, of the table or of a shadow. The page is made of the surfaces that carry the ink.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Bools, Floats
+
+Gray = NDArray[np.uint8]
+
+MAP_SIDE = 256
+"""Long side of the map on which surfaces are told apart, pixels."""
+STEP = 0.045
+"""Relative step of brightness between neighbouring map pixels that parts two surfaces."""
+INK_SHARE = 0.1
+"""A surface with this share of the ink belongs to the page."""
+
+
+def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
+    """Find the surface that was drawn on.
+
+    paper   : luminance of the ground without ink, any size
+    mask    : (h, w) ink, working size
+    returns : (h, w) bool, True on the page, and its corners as (4, 2) working pixels (clockwise, from the top left one)
+              where all four sides of a page are in view; None for what does not exist
+    """
+    h, w = mask.shape
+    factor = MAP_SIDE / max(h, w)
+    size = (max(8, round(w * factor)), max(8, round(h * factor)))
+    surface = _surface(_u8(cv2.resize(paper, size, interpolation=cv2.INTER_AREA)), mask)
+    if surface is None:
+        return None, None
+    inside = cv2.erode(surface, np.ones((7, 7), np.uint8), borderType=cv2.BORDER_REPLICATE)
+    on_page = cv2.resize(inside, (w, h), interpolation=cv2.INTER_NEAREST)
+    corners = _quadrilateral(surface)
+    if corners is not None:
+        corners = (corners + 0.5) * np.array([w / size[0], h / size[1]]) - 0.5
+    return np.asarray(on_page > 0, dtype=np.bool_), corners
+
+
+def _u8(array: NDArray[np.generic]) -> Gray:
+    return np.asarray(array, dtype=np.uint8)
+
+
+def _surface(paper: Gray, mask: Bools) -> Gray | None:
+    """0/1 map of the surfaces that carry the ink, holes filled; None where there is but one surface."""
+    step = cv2.morphologyEx(paper, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
+    smooth = (step <= np.maximum(3.0, STEP * 2 * paper)).astype(np.uint8)
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(smooth, connectivity=4)
+    if count < 2 or stats[1:, cv2.CC_STAT_AREA].max() > 0.97 * paper.size:
+        return None
+    ink = cv2.resize(mask.astype(np.float32), paper.shape[::-1], interpolation=cv2.INTER_AREA)
+    inner = labels * cv2.erode(smooth, np.ones((5, 5), np.uint8))  # the rim holds what is left of the step
+    held = np.bincount(inner.ravel(), weights=ink.ravel(), minlength=count)
+    held[0] = 0.0
+    kept = np.flatnonzero(held >= INK_SHARE * max(held.sum(), 1e-9))
+    region = cv2.morphologyEx(np.isin(labels, kept[kept > 0]).astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))
+    contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    contours = [c for c in contours if cv2.contourArea(c) > 0.02 * paper.size]
+    filled = np.zeros_like(paper)
+    cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
+    return filled if 0.1 * paper.size < np.count_nonzero(filled) < 0.97 * paper.size else None
+
+
+def _quadrilateral(region: Gray) -> Floats | None:
+    """(4, 2) corners of a four-sided region, clockwise from the top left; they may lie outside the picture."""
+    contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    outline = np.concatenate(contours).reshape(-1, 2).astype(np.float64)
+    last = np.array(region.shape[::-1]) - 1.0
+    outline = outline[np.all((outline > 1.5) & (outline < last - 1.5), axis=1)]
+    if len(outline) < region.shape[0]:
+        return None
+    hull = cv2.convexHull(np.concatenate(contours))
+    polygon = cv2.approxPolyDP(hull, 0.012 * cv2.arcLength(hull, True), True).reshape(-1, 2).astype(np.float64)
+    lines = [line for a, b in zip(polygon, np.roll(polygon, -1, axis=0), strict=True) if (line := _side(outline, a, b))]
+    if len(lines) != 4:
+        return None
+    crossings = np.array([np.cross(lines[i - 1], lines[i]) for i in range(4)])
+    if np.any(np.abs(crossings[:, 2]) < 0.5):
+        return None
+    corners = crossings[:, :2] / crossings[:, 2:]
+    if not cv2.isContourConvex(corners.astype(np.float32)):
+        return None
+    corners = np.roll(corners, -int(np.argmin(corners.sum(axis=1))), axis=0)
+    (ax, ay), (bx, by) = corners[1] - corners[0], corners[2] - corners[1]
+    return np.asarray(corners if ax * by - ay * bx > 0 else np.roll(corners[::-1], 1, axis=0), dtype=np.float64)
+
+
+def _side(outline: Floats, a: Floats, b: Floats) -> tuple[float, float, float] | None:
+    """Homogeneous line through the outline's points near the segment a-b; None if the outline is not there."""
+    along = b - a
+    length = float(np.hypot(*along))
+    if length < 0.12 * MAP_SIDE:
+        return None
+    x, y = (outline - a) @ along / length, np.abs((outline - a) @ np.array([-along[1], along[0]])) / length
+    near = outline[(y < 4.0) & (x > 0.04 * length) & (x < 0.96 * length)]
+    if len(near) < 0.3 * length:
+        return None
+    ux, uy, px, py = (float(v) for v in cv2.fitLine(near.astype(np.float32), cv2.DIST_HUBER, 0, 0.01, 0.01).ravel())
+    return -uy, ux, uy * px - ux * py
+
+
+def page_homography(corners: Floats, centre: Floats) -> Floats:
+    """(3, 3) map from picture pixels to the page seen straight on, at about the page's size in the picture.
+
+    corners : (4, 2) pixels, clockwise from the top left
+    centre  : (2,) pixels, where the optical axis meets the picture (its middle)
+
+    The aspect ratio comes from the two vanishing points and square pixels (Zhang and He, "Whiteboard scanning and image
+    enhancement", 2007); where the tilt is too small for that, from the mean lengths of opposite sides.
+    """
+    a, b, c, d = corners
+    across = 0.5 * (np.linalg.norm(b - a) + np.linalg.norm(c - d))
+    down = 0.5 * (np.linalg.norm(d - a) + np.linalg.norm(c - b))
+    ratio = _aspect(corners - centre) or across / down
+    width = float(np.sqrt(across * down * ratio))
+    height = width / ratio
+    target = np.array([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]])
+    target += corners.mean(axis=0) - target.mean(axis=0)
+    matrix = cv2.getPerspectiveTransform(corners.astype(np.float32), target.astype(np.float32))
+    return np.asarray(matrix, dtype=np.float64)
+
+
+def _aspect(corners: Floats) -> float | None:
+    """Width over height of the rectangle seen as these corners (origin on the optical axis); None if undecidable."""
+    a, b, c, d = np.c_[corners, np.ones(4)]
+    size = float(np.abs(corners).max())
+    k2 = np.dot(np.cross(a, c), d) / np.dot(np.cross(b, c), d)
+    k3 = np.dot(np.cross(a, c), b) / np.dot(np.cross(d, c), b)
+    n2, n3 = k2 * b - a, k3 * d - a
+    if abs(n2[2]) < 0.03 or abs(n3[2]) < 0.03:
+        return None
+    focal2 = -(n2[0] * n3[0] + n2[1] * n3[1]) / (n2[2] * n3[2])
+    if not (0.5 * size) ** 2 < focal2 < (12 * size) ** 2:
+        return None
+    across, down = (np.sqrt((n[0] ** 2 + n[1] ** 2) / focal2 + n[2] ** 2) for n in (n2, n3))
+    ratio = float(across / down)
+    return ratio if 0.3 < ratio < 3.4 else None
