@@ -52,6 +52,18 @@ class Result:
         _write_atomic(target, encode(self, format or format_of(target), ngons=ngons))
         return target
 
+    def _repr_html_(self) -> str:
+        """Show the turning solid in a notebook."""
+        from sketch2shape.pictures.notebook import notebook_html
+
+        return notebook_html(self)
+
+    def _repr_png_(self) -> bytes:
+        """Show the object drawn over its picture where a notebook shows no HTML."""
+        from sketch2shape.pictures.notebook import notebook_png
+
+        return notebook_png(self)
+
 
 def _write_atomic(target: Path, data: bytes) -> None:
     """Write beside the target, flush, then rename: the target is never half written."""

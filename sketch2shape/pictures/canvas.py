@@ -1,0 +1,204 @@
+"""A small drawing surface: smooth lines, dashes, dots, filled rings and words on a NumPy image.
+
+Strategy: everything but words is painted on an image a few times larger and averaged down at the end, which gives
+the same smooth edges on every machine; words are set last, at the final size. The same calls give the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Literal
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
+
+from sketch2shape.model import Floats
+from sketch2shape.pictures.palette import INK, PAPER, Colour
+
+Pixels = NDArray[np.uint8]
+"""(h, w, 3) RGB."""
+
+_OVERSAMPLE = 3
+_SUBPIXEL_BITS = 4
+
+
+@dataclass(frozen=True)
+class Words:
+    """A line of text waiting to be set: where, what and how (units: final pixels)."""
+
+    at: tuple[float, float]
+    text: str
+    size: float
+    colour: Colour
+    anchor: str
+    bold: bool
+
+
+class Canvas:
+    """A picture in the making; coordinates are its own pixels unless `view` moved them."""
+
+    def __init__(self, width: int, height: int, background: Colour = PAPER) -> None:
+        """Start with an even background, `width` x `height` final pixels."""
+        self.width, self.height = width, height
+        self._big: Pixels = np.empty((height * _OVERSAMPLE, width * _OVERSAMPLE, 3), np.uint8)
+        self._big[:] = background
+        self._words: list[Words] = []
+        self._scale, self._offset = 1.0, np.zeros(2)
+
+    def view(self, scale: float = 1.0, offset: Sequence[float] | Floats = (0.0, 0.0)) -> Canvas:
+        """Let later calls mean p * scale + offset wherever they say p; returns itself."""
+        self._scale, self._offset = scale, np.asarray(offset, float)
+        return self
+
+    def place(self, point: Floats) -> Floats:
+        """Where a point in view coordinates comes to lie, final pixels."""
+        final: Floats = np.asarray(point, float) * self._scale + self._offset
+        return final
+
+    def paste(self, pixels: Pixels, left: int, top: int) -> None:
+        """Put a picture down, unscaled, its corner at (left, top) final pixels."""
+        h, w = pixels.shape[:2]
+        large = cv2.resize(pixels, (w * _OVERSAMPLE, h * _OVERSAMPLE), interpolation=cv2.INTER_LINEAR)
+        y, x = top * _OVERSAMPLE, left * _OVERSAMPLE
+        self._big[y : y + h * _OVERSAMPLE, x : x + w * _OVERSAMPLE] = large
+
+    def line(
+        self,
+        a: Floats,
+        b: Floats,
+        colour: Colour = INK,
+        width: float = 1.5,
+        dash: tuple[float, float] | None = None,
+        alpha: float = 1.0,
+    ) -> None:
+        """Draw a straight line, dashed if `dash` gives (on, off); width and dash in final pixels."""
+        ends = self._large(np.array([a, b]))
+        pieces = [ends] if dash is None else _dashes(ends, dash[0] * _OVERSAMPLE, dash[1] * _OVERSAMPLE)
+        thick = max(1, round(width * _OVERSAMPLE))
+        with _Blend(self, alpha) as target:
+            for piece in pieces:
+                p, q = (tuple(int(v) for v in e) for e in _fixed(piece))
+                cv2.line(target, p, q, colour, thick, cv2.LINE_AA, _SUBPIXEL_BITS)
+
+    def dot(
+        self, at: Floats, radius: float, colour: Colour = INK, rim: Colour | None = PAPER, rim_width: float = 1.2
+    ) -> None:
+        """Draw a disc, `radius` final pixels, with a rim that sets it off from what lies below."""
+        centre = tuple(int(v) for v in _fixed(self._large(np.array([at])))[0])
+        step = _OVERSAMPLE << _SUBPIXEL_BITS
+        if rim is not None:
+            cv2.circle(self._big, centre, round((radius + rim_width) * step), rim, -1, cv2.LINE_AA, _SUBPIXEL_BITS)
+        cv2.circle(self._big, centre, round(radius * step), colour, -1, cv2.LINE_AA, _SUBPIXEL_BITS)
+
+    def fill(self, rings: Sequence[Floats], colour: Colour, alpha: float = 1.0) -> None:
+        """Fill the region inside an odd number of rings."""
+        with _Blend(self, alpha) as target:
+            shapes = [_fixed(self._large(ring)) for ring in rings]
+            cv2.fillPoly(target, shapes, colour, cv2.LINE_AA, _SUBPIXEL_BITS)
+
+    def box(self, left: float, top: float, width: float, height: float, colour: Colour) -> None:
+        """Fill an upright rectangle, final pixels."""
+        x0, y0, x1, y1 = (round(v * _OVERSAMPLE) for v in (left, top, left + width, top + height))
+        self._big[max(y0, 0) : y1, max(x0, 0) : x1] = colour
+
+    def words(
+        self,
+        at: tuple[float, float],
+        text: str,
+        size: float = 14,
+        colour: Colour = INK,
+        anchor: str = "la",
+        *,
+        bold: bool = False,
+    ) -> None:
+        """Set a line of text at final pixels `at`; `anchor` as in Pillow ("la" left-ascender, "mm" middle)."""
+        self._words.append(Words(at, text, size, colour, anchor, bold))
+
+    def finish(self) -> Pixels:
+        """The picture, (height, width, 3) uint8 RGB."""
+        small = cv2.resize(self._big, (self.width, self.height), interpolation=cv2.INTER_AREA)
+        if not self._words:
+            return small.astype(np.uint8)
+        image = Image.fromarray(small)
+        pen = ImageDraw.Draw(image)
+        for w in self._words:
+            for shift in (0.0, w.size / 30) if w.bold else (0.0,):  # the typeface has one weight: set it twice
+                pen.text((w.at[0] + shift, w.at[1]), w.text, w.colour, font(w.size), anchor=w.anchor)
+        return np.asarray(image).copy()
+
+    def _large(self, points: Floats) -> Floats:
+        """Points in view coordinates as points of the enlarged image (pixel centres kept at whole numbers)."""
+        return (self.place(points) + 0.5) * _OVERSAMPLE - 0.5
+
+
+class _Blend:
+    """Paint on a copy and mix it in, so that one call is evenly transparent even where it overlaps itself."""
+
+    def __init__(self, canvas: Canvas, alpha: float) -> None:
+        self.canvas, self.alpha = canvas, alpha
+
+    def __enter__(self) -> Pixels:
+        self.target = self.canvas._big if self.alpha >= 1 else self.canvas._big.copy()
+        return self.target
+
+    def __exit__(self, *_: object) -> None:
+        if self.alpha < 1:
+            cv2.addWeighted(self.target, self.alpha, self.canvas._big, 1 - self.alpha, 0, dst=self.canvas._big)
+
+
+@lru_cache(maxsize=32)
+def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
+    """The typeface that comes with Pillow, so that no machine's own fonts change the picture."""
+    return ImageFont.load_default(size)
+
+
+def text_width(text: str, size: float) -> float:
+    """Width of a line of text, pixels."""
+    return float(font(size).getlength(text))
+
+
+def shorten(text: str, size: float, width: float, keep: Literal["start", "end"] = "start") -> str:
+    """The text, cut with an ellipsis where it is wider than `width` pixels."""
+    if text_width(text, size) <= width:
+        return text
+    while text and text_width("..." + text, size) > width:
+        text = text[:-1] if keep == "start" else text[1:]
+    return text + "..." if keep == "start" else "..." + text
+
+
+def fit(pixels: Pixels, width: int, height: int) -> tuple[Pixels, float]:
+    """The picture resized to fit a box whole, and the scale used; the aspect ratio is kept."""
+    h, w = pixels.shape[:2]
+    scale = min(width / w, height / h)
+    size = (max(1, round(w * scale)), max(1, round(h * scale)))
+    mode = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
+    return cv2.resize(pixels, size, interpolation=mode).astype(np.uint8), scale
+
+
+def encode_png(pixels: Pixels) -> bytes:
+    """The picture as PNG bytes, without dates or names, so that equal pictures are equal files."""
+    ok, data = cv2.imencode(".png", np.ascontiguousarray(pixels[..., ::-1]), [cv2.IMWRITE_PNG_COMPRESSION, 9])
+    if not ok:
+        raise ValueError(f"OpenCV could not encode a picture of shape {pixels.shape}")
+    return data.tobytes()
+
+
+def _fixed(points: Floats) -> NDArray[np.int32]:
+    """Points in OpenCV's fixed-point coordinates, kept inside what it can hold."""
+    return np.clip(np.rint(points * (1 << _SUBPIXEL_BITS)), -(2**30), 2**30).astype(np.int32)
+
+
+def _dashes(ends: Floats, on: float, off: float) -> list[Floats]:
+    """A segment cut into dashes that begin and end on ink, spread evenly."""
+    length = float(np.linalg.norm(ends[1] - ends[0]))
+    gaps = max(0, round((length - on) / (on + off)))
+    if gaps == 0 or length > 1e6:
+        return [ends]
+    stretch = length / (gaps * (on + off) + on)
+    starts = np.arange(gaps + 1) * (on + off) * stretch / length
+    stops = starts + on * stretch / length
+    return [ends[0] + np.array([[s], [t]]) * (ends[1] - ends[0]) for s, t in zip(starts, stops, strict=True)]

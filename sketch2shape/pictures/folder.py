@@ -1,0 +1,130 @@
+"""Pictures of a whole folder of results: a contact sheet and an HTML index with links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from html import escape
+from urllib.parse import quote
+
+from sketch2shape.pictures.canvas import Canvas, Pixels, encode_png, fit, shorten
+from sketch2shape.pictures.palette import BACKDROP, DONE, FAILED, INK, MUTED, PAPER, RULE, css
+from sketch2shape.pictures.viewer import data_uri
+
+_WIDTH, _HEIGHT, _GAP, _CAPTION = 300, 220, 16, 46
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One input of a batch.
+
+    name       : how it is called, relative to the folder
+    thumbnail  : (h, w, 3) uint8 RGB, such as its overlay, or None if there is nothing to show
+    confidence : of the best object, or None if none was found
+    message    : why it failed, or None
+    links      : (words, address relative to the index) of what was written for it
+    """
+
+    name: str
+    thumbnail: Pixels | None = None
+    confidence: float | None = None
+    message: str | None = None
+    links: Sequence[tuple[str, str]] = field(default=())
+
+    @property
+    def status(self) -> str:
+        """The line of words under the thumbnail."""
+        if self.message is not None:
+            return self.message
+        return "done" if self.confidence is None else f"done, confidence {self.confidence:.2f}"
+
+
+def contact_sheet(entries: Iterable[Entry], columns: int = 5) -> Pixels:
+    """All thumbnails on one sheet with name and status, failed ones marked; (h, w, 3) uint8 RGB."""
+    cards = list(entries)
+    columns = max(1, min(columns, len(cards)))
+    rows = max(1, -(-len(cards) // columns))
+    canvas = Canvas(_GAP + columns * (_WIDTH + _GAP), _GAP + rows * (_HEIGHT + _CAPTION + _GAP), BACKDROP)
+    for k, entry in enumerate(cards):
+        _card(canvas, entry, _GAP + k % columns * (_WIDTH + _GAP), _GAP + k // columns * (_HEIGHT + _CAPTION + _GAP))
+    if not cards:
+        canvas.words((canvas.width / 2, canvas.height / 2), "nothing to show", 14, MUTED, "mm")
+    return canvas.finish()
+
+
+def folder_index(entries: Iterable[Entry], title: str) -> str:
+    """An HTML page with a card for each input: thumbnail, status and links; it loads nothing from elsewhere."""
+    cards = list(entries)
+    failed = sum(e.message is not None for e in cards)
+    body = "\n".join(_html_card(e) for e in cards)
+    return _PAGE.format(
+        title=escape(title),
+        count=len(cards),
+        done=len(cards) - failed,
+        failed=failed,
+        cards=body,
+        good=css(DONE),
+        bad=css(FAILED),
+    )
+
+
+def _card(canvas: Canvas, entry: Entry, left: int, top: int) -> None:
+    canvas.box(left - 1, top - 1, _WIDTH + 2, _HEIGHT + 2, RULE)
+    canvas.box(left, top, _WIDTH, _HEIGHT, PAPER)
+    if entry.thumbnail is None:
+        canvas.words((left + _WIDTH / 2, top + _HEIGHT / 2), "no picture", 13, MUTED, "mm")
+    else:
+        small, _ = fit(entry.thumbnail, _WIDTH, _HEIGHT)
+        h, w = small.shape[:2]
+        canvas.paste(small, left + (_WIDTH - w) // 2, top + (_HEIGHT - h) // 2)
+    bad = entry.message is not None
+    canvas.box(left, top + _HEIGHT + 11, 8, 8, FAILED if bad else DONE)
+    canvas.words((left + 14, top + _HEIGHT + 6), shorten(entry.name, 14, _WIDTH - 14, "end"), 14, INK)
+    canvas.words((left + 14, top + _HEIGHT + 25), shorten(entry.status, 12, _WIDTH - 14), 12, FAILED if bad else MUTED)
+
+
+def _html_card(entry: Entry) -> str:
+    name, status = escape(entry.name), escape(entry.status)
+    picture = '<div class="none">no picture</div>'
+    if entry.thumbnail is not None:
+        small, _ = fit(entry.thumbnail, _WIDTH * 2, _HEIGHT * 2)
+        picture = f'<img src="{data_uri(encode_png(small))}" alt="The object found in {name}">'
+    links = " ".join(f'<a href="{escape(quote(to))}">{escape(words)}</a>' for words, to in entry.links)
+    kind = "bad" if entry.message is not None else "good"
+    return f'<li class="{kind}">{picture}<h2>{name}</h2><p>{status}</p><p class="links">{links}</p></li>'
+
+
+_PAGE = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
+<title>{title}</title>
+<style>
+  * {{ box-sizing: border-box }}
+  body {{ margin: 0; padding: 20px; font: 16px/1.45 system-ui, sans-serif; color: #1c2028; background: #f6f7f9 }}
+  h1 {{ font-size: 1.35rem; margin: 0; font-weight: 600 }}
+  .sum {{ color: #59616d; margin: 4px 0 20px }}
+  ul {{ list-style: none; margin: 0; padding: 0; display: grid; gap: 16px;
+       grid-template-columns: repeat(auto-fill, minmax(240px, 1fr)) }}
+  li {{ background: #fff; border: 1px solid #dadee4; border-top: 4px solid {good}; border-radius: 8px;
+       padding: 12px; overflow-wrap: anywhere }}
+  li.bad {{ border-top-color: {bad} }}
+  img, .none {{ width: 100%; height: 180px; object-fit: contain; display: grid; place-items: center; color: #59616d }}
+  h2 {{ font-size: 1rem; font-weight: 600; margin: 10px 0 2px }}
+  p {{ margin: 0; font-size: .9rem; color: #59616d }}
+  .bad p:not(.links) {{ color: {bad} }}
+  .links {{ margin-top: 8px; display: flex; flex-wrap: wrap; gap: 4px 14px }}
+  a {{ color: #0062b2 }}
+</style>
+</head>
+<body>
+<h1>{title}</h1>
+<p class="sum">{count} pictures: {done} done, {failed} failed</p>
+<ul>
+{cards}
+</ul>
+</body>
+</html>
+"""

@@ -1,0 +1,84 @@
+"""A 3-D viewer in one HTML file: it holds its own renderer and data, and needs no network."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from functools import cache
+from html import escape
+from importlib.resources import files
+from string import Template
+from typing import Any
+
+import numpy as np
+
+from sketch2shape.model import Solid
+from sketch2shape.pictures.canvas import encode_png, fit
+from sketch2shape.pictures.facets import surface
+from sketch2shape.pictures.overlay import overlay
+from sketch2shape.result import Result
+
+
+def viewer(result: Result, title: str | None = None) -> str:
+    """An HTML page that turns the result's solids in 3-D beside the drawing; the same input gives the same text."""
+    return _template("viewer.html").substitute(
+        title=escape(title or result.picture.source),
+        picture=data_uri(encode_png(_thumb(result))),
+        facts="".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in facts(result)),
+        script=renderer(),
+        shape=shape_json(result.solids),
+    )
+
+
+def facts(result: Result) -> list[tuple[str, str]]:
+    """What to say about a result in words: (name, value) pairs, one group for each object."""
+    rows: list[tuple[str, str]] = []
+    for obj, solid in zip(result.objects, result.solids, strict=True):
+        half = sum(solid.ring_sizes)
+        size = np.ptp(solid.vertices, axis=0)
+        rows += [
+            ("Vertices", str(2 * half)),
+            ("Edges", str(3 * half)),
+            ("Faces", str(half + 2)),
+            ("Size", " × ".join(f"{s:.4g}" for s in size) + f" {solid.unit}"),
+            ("Projection", solid.projection.family),
+            ("Confidence", f"{obj.confidence:.2f}"),
+        ]
+        rows += [("Assumed", warning) for warning in solid.warnings]
+    return rows or [("Status", "no two-face object found")]
+
+
+def shape(solids: tuple[Solid, ...] | list[Solid]) -> dict[str, Any]:
+    """What the renderer in the page needs, ready for JSON."""
+    form = surface(solids)
+    return {
+        "vertices": [[round(float(c), 4) for c in v] for v in form.vertices],
+        "triangles": form.triangles.tolist(),
+        "edges": form.edges.tolist(),
+    }
+
+
+def shape_json(solids: tuple[Solid, ...] | list[Solid]) -> str:
+    """`shape` as text that is safe inside a script element."""
+    return json.dumps(shape(solids), separators=(",", ":")).replace("<", "\\u003c")
+
+
+def data_uri(png: bytes) -> str:
+    """A PNG as an address that holds the picture itself."""
+    return "data:image/png;base64," + b64encode(png).decode("ascii")
+
+
+@cache
+def renderer() -> str:
+    """The JavaScript of the renderer, class SolidView."""
+    return files("sketch2shape.pictures").joinpath("viewer.js").read_text("utf-8")
+
+
+@cache
+def _template(name: str) -> Template:
+    return Template(files("sketch2shape.pictures").joinpath(name).read_text("utf-8"))
+
+
+def _thumb(result: Result) -> Any:
+    pixels = overlay(result)
+    return fit(pixels, 900, 900)[0] if max(pixels.shape) > 900 else pixels
