@@ -12,13 +12,17 @@ from typing import Any
 import numpy as np
 
 from sketch2shape.lift.regularity import Relations, bearings, between, find_relations, log_odds, score
-from sketch2shape.model import Floats
+from sketch2shape.lift.shape import Shape
+from sketch2shape.model import Bools, Floats
 
 #: slants tried, radians: the face is never seen quite from the front nor quite from its edge
 _SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 235))
 
-#: the slant of an isometric view: all three axes equally foreshortened
-ISOMETRIC = float(np.arccos(1.0 / np.sqrt(3.0)))
+#: drawn over true length of the receding edges of a cabinet drawing, the commonest oblique one
+CABINET = 0.5
+
+#: log odds of an oblique drawing before anything is seen: most hand-made drawings of prisms are
+_OBLIQUE_PRIOR = 1.0
 
 
 @dataclass(frozen=True)
@@ -53,15 +57,15 @@ def read_axonometric(face: Floats, sizes: list[int], d: Floats, noise: float) ->
     noise : standard deviation of a drawn vertex, pixels
     """
     relations = find_relations(face, sizes, face, noise)
-    odds = _axonometric_odds(_SLANTS, relations, face, d, noise)
+    odds = _axonometric_odds(_SLANTS, relations, face, sizes, d, noise)
     best = float(_SLANTS[odds.argmax()])
     step = float(_SLANTS[1] - _SLANTS[0])
     for _ in range(2):
         near = np.clip(best + step * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
-        best = float(near[_axonometric_odds(near, relations, face, d, noise).argmax()])
+        best = float(near[_axonometric_odds(near, relations, face, sizes, d, noise).argmax()])
         step /= 8.0
     top = float(odds.max())
-    whole = top + float(np.log(np.exp(odds - top).mean()))
+    whole = top + float(np.log(np.exp(odds - top).mean())) + _isometric_odds(relations, face, d, noise)
     return ParallelReading("axonometric", best, whole, {"slant_deg": round(float(np.rad2deg(best)), 2)})
 
 
@@ -69,53 +73,105 @@ def read_oblique(face: Floats, sizes: list[int], noise: float) -> ParallelReadin
     """The odds that the face is drawn in its true shape; arguments as in `read_axonometric`."""
     relations = find_relations(face, sizes, face, noise)
     odds = float(score(relations, face[None], np.eye(2)[None], noise)[0])
-    odds += _level_odds(relations, face, noise)
+    odds += _level_odds(relations, face, noise) + _OBLIQUE_PRIOR
     return ParallelReading("oblique", 0.0, odds)
 
 
-def _axonometric_odds(slants: Floats, relations: Relations, face: Floats, d: Floats, noise: float) -> Floats:
+def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -> Shape:
+    """The right prism drawn so in an orthographic view; arguments as in `read_axonometric`, slant in radians."""
+    length = float(np.hypot(*d))
+    t = d / length
+    n = np.array([-t[1], t[0]])
+    along = np.array([*(t * np.cos(slant)), -np.sin(slant)])
+    across = np.array([*n, 0.0])
+    pose = np.array([t[0] * along + n[0] * across, t[1] * along + n[1] * across, [*(t * np.sin(slant)), np.cos(slant)]])
+    stretch = axonometric_maps(np.array([slant]), d)[0]
+    middle = face[: sizes[0]].mean(axis=0)
+    flat = (face - middle) @ stretch
+    evidence = {"slant_deg": round(float(np.rad2deg(slant)), 2), "foreshortening": round(float(np.cos(slant)), 4)}
+    depth = length / float(np.sin(slant))
+    return Shape("axonometric", flat, pose, np.array([*middle, 0.0]), depth, stretch, sizes, evidence=evidence)
+
+
+def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float | None) -> Shape:
+    """The face as drawn, with the depth that the ratio of drawn to true receding lengths gives; None: `CABINET`."""
+    length = float(np.hypot(*d))
+    used = ratio or CABINET
+    evidence = {
+        "depth_ratio": used,
+        "receding_deg": round(float(np.rad2deg(np.arctan2(-d[1], d[0]))), 2),
+    }
+    depth = length / used
+    return Shape(
+        "oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), sizes, free=ratio is None, evidence=evidence
+    )
+
+
+def _axonometric_odds(
+    slants: Floats, relations: Relations, face: Floats, sizes: list[int], d: Floats, noise: float
+) -> Floats:
     maps = axonometric_maps(slants, d)
     shapes = np.einsum("mi,gij->gmj", face, maps)
     odds = score(relations, shapes, maps, noise) + _slant_prior(slants)
-    return odds + _gravity_odds(relations, shapes, maps, d, noise) + _isometric_odds(slants, d)
+    return odds + _gravity_odds(relations, shapes, maps, face[: sizes[0]], d, noise)
 
 
 def _slant_prior(slants: Floats) -> Floats:
     """Objects are shown from where their faces can be seen: rarely head-on, rarely edge-on."""
-    prior: Floats = -0.5 * ((np.rad2deg(slants) - 48.0) / 18.0) ** 2
+    prior: Floats = -0.5 * ((np.rad2deg(slants) - 48.0) / 20.0) ** 2
     return prior
 
 
-def _isometric_odds(slants: Floats, d: Floats) -> Floats:
-    """An axis drawn at 30 degrees, or upright, suggests the isometric view."""
-    rise = np.rad2deg(np.arctan2(abs(d[1]), abs(d[0])))
-    belief = 0.35 if abs(rise - 30.0) < 1.0 or rise > 89.0 else 0.02
-    return log_odds(slants - ISOMETRIC, np.full(len(slants), np.deg2rad(0.5)), belief, np.pi / 2)
+def _isometric_odds(relations: Relations, face: Floats, d: Floats, noise: float) -> float:
+    """Axes drawn at 30 degrees to both sides of the level, or one upright and one at 30 degrees: an isometric view."""
+    angle, spread = bearings(relations, face[None], np.eye(2)[None], noise)
+    own = np.arctan2(d[1], d[0])
+    off = np.full(angle.shape[1], np.pi / 2)
+    for axis in np.deg2rad([-30.0, 30.0, 90.0]):
+        if between(own, axis) < np.deg2rad(1.0):
+            for other in np.deg2rad([-30.0, 30.0]):
+                if other != axis:
+                    off = np.minimum(off, between(angle[0], other))
+    return float(log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.4, np.pi / 2).max())
 
 
-def _gravity_odds(relations: Relations, shapes: Floats, maps: Floats, d: Floats, noise: float) -> Floats:
+def _gravity_odds(relations: Relations, shapes: Floats, maps: Floats, outer: Floats, d: Floats, noise: float) -> Floats:
     """Paper is held upright: what is drawn vertical is vertical, and the base it stands on is at right angles to it.
 
     Says nothing if d itself is vertical. Includes a mild prior on the height from which things are seen.
     """
-    upright = abs(d[0]) / np.hypot(*d)
-    if upright < 0.1:
+    if abs(d[0]) < 0.1 * np.hypot(*d):
         return np.zeros(len(shapes))
     plumb = maps[:, 1]
     angle, spread = bearings(relations, shapes, maps, noise)
     turn = between(angle, np.arctan2(plumb[:, 1], plumb[:, 0])[:, None])
     width = np.hypot(spread, np.deg2rad(1.0))
     density = np.exp(-0.5 * ((turn - np.pi / 2) / width) ** 2) / (width * np.sqrt(2.0 * np.pi))
-    weight = relations.lengths**2 * (relations.edges > 1) + 0.3 * relations.lengths**2
-    chance = 1.0 + density @ (weight / weight.sum()) * np.pi
+    weight = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
+    weight *= np.where(_rests(relations, outer), 1.0, 0.25)
+    chance = 0.2 + 0.8 * density @ (weight / weight.sum()) * np.pi
     elevation = np.rad2deg(np.arccos(np.clip(1.0 / np.linalg.norm(plumb, axis=1), 0.0, 1.0)))
     odds: Floats = np.log(chance) - 0.5 * ((elevation - 33.0) / 14.0) ** 2
     return odds
 
 
+def _rests(relations: Relations, outer: Floats) -> Bools:
+    """(k,) could the object stand on an edge of this direction: is one of them at the bottom of the outer ring?"""
+    n = len(outer)
+    along = relations.directions[:, :n] @ outer
+    rests = np.zeros(len(along), bool)
+    for k, (x, y) in enumerate(along):
+        across = np.array([-y, x]) if x > 0 else np.array([y, -x])
+        depth = outer @ across
+        close = depth > depth.max() - 0.02 * np.ptp(depth)
+        rests[k] = bool((close & np.roll(close, 1)).any())
+    return rests
+
+
 def _level_odds(relations: Relations, face: Floats, noise: float) -> float:
-    """Faces in their true shape usually have edges drawn level."""
+    """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew."""
     angle, spread = bearings(relations, face[None], np.eye(2)[None], noise)
     off = between(angle[0], np.zeros(1))
-    odds = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.6, np.pi / 2)
-    return float(odds.max())
+    exact = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.75, np.pi / 2)
+    askew = log_odds(off, np.hypot(spread[0], np.deg2rad(4.0)), 0.75, np.pi / 2)
+    return float(max(exact.max(), askew.max() - 0.7))

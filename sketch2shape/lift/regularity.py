@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sketch2shape.lift.face import ring_ends
 from sketch2shape.model import Floats, Ints
 
 #: least width of a relation's density, radians: drawings are rounded to pixels even when nothing else is wrong
@@ -56,7 +57,7 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     drawn : (m, 2) the face as drawn, pixels
     noise : standard deviation of a drawn vertex, pixels
     """
-    start, finish = _ring_edges(sizes)
+    start, finish = ring_ends(sizes)
     vectors, long = shape[finish] - shape[start], np.linalg.norm(drawn[finish] - drawn[start], axis=1)
     label, sign = _parallel_classes(vectors, long, noise)
     k, m = int(label.max()) + 1, len(shape)
@@ -178,14 +179,6 @@ def _transverse(angle: Floats, maps: Floats) -> Floats:
     across = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
     grown: Floats = np.linalg.norm(np.einsum("gij,gkj->gki", maps, across), axis=2)
     return grown
-
-
-def _ring_edges(sizes: list[int]) -> tuple[Ints, Ints]:
-    """First and last vertex of each edge of each ring."""
-    first = np.arange(sum(sizes))
-    starts = np.cumsum([0, *sizes[:-1]])
-    last = np.concatenate([s + np.roll(np.arange(n), -1) for s, n in zip(starts, sizes, strict=True)])
-    return first, last
 
 
 def _previous(sizes: list[int]) -> Ints:

@@ -1,39 +1,151 @@
-"""The stage itself: tell the projection apart, lift, tidy, scale and turn."""
+"""The stage itself: tell the projection apart, lift, tidy, measure and turn."""
 
 from __future__ import annotations
 
-from typing import Literal
+from dataclasses import replace
 
 import numpy as np
 
+from sketch2shape.errors import PointsError
+from sketch2shape.lift.face import centroid, ring_area
+from sketch2shape.lift.frame import own_axes, upright
+from sketch2shape.lift.measure import measured
 from sketch2shape.lift.options import LiftOptions
-from sketch2shape.lift.parallel import read_axonometric, read_oblique
+from sketch2shape.lift.parallel import axonometric_shape, oblique_shape, read_axonometric, read_oblique
+from sketch2shape.lift.perspective import facing_shape, perspective_shape
+from sketch2shape.lift.projection import Drawing, kind_of, prepare
+from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Floats, Projection, Solid, TwoFaceObject
+
+#: a connecting vector shorter than this part of the object's size says nothing about the depth
+_FLAT = 0.01
+
+#: a face with less area than this part of its diagonal squared is seen from its edge
+_EDGE_ON = 0.004
+
+#: a face drawn smaller than this, all facing the viewer, is a tapered object's, not a far one's
+_FAR_SCALE = 0.68
 
 
 def lift(
-    obj: TwoFaceObject, *, picture_size: tuple[int, int] = (640, 480), options: LiftOptions | None = None
+    obj: TwoFaceObject, *, picture_size: tuple[int, int] | None = None, options: LiftOptions | None = None
 ) -> Solid:
-    """The solid shown by a two-face object."""
-    del picture_size
+    """The solid that a two-face object is a drawing of.
+
+    obj          : the object in the picture's plane; f1 is taken as the front face (see `choose_front`)
+    picture_size : width and height of the picture, pixels; kept in the evidence
+    options      : what the user fixes
+
+    The solid has one vertex for each of `obj.vertices`, in that order. Unless `options.up` is given its axes are the
+    viewer's: x right, y down, z away. What the drawing leaves free is set to a default that `Solid.warnings` states.
+
+    Raises PointsError if a coordinate is not finite.
+    """
     options = options or LiftOptions()
-    half = len(obj.vertices) // 2
-    first, second = obj.vertices[:half], obj.vertices[half:]
-    sizes = [len(r.f1) for r in obj.rings]
-    d = (second - first).mean(axis=0)
-    face = 0.5 * (first + second - d)
-    noise = max(obj.noise, 0.3)
-    flat, slanted = read_oblique(face, sizes, noise), read_axonometric(face, sizes, d, noise)
+    if not np.isfinite(obj.vertices).all():
+        raise PointsError("a vertex of the object is not a finite number")
+    drawing = prepare(obj)
+    shape = _read(drawing, options)
+    if options.necker:
+        shape = _mirrored(shape)
+    shape = measured(shape, options)
+    vertices = shape.vertices
+    axes = own_axes(vertices[: len(shape.flat)], shape.pose[2] * np.sign(shape.depth or 1.0), shape.sizes)
+    if options.up is not None:
+        vertices, axes = upright(vertices, axes, options.up)
+    evidence = dict(shape.evidence)
+    if picture_size is not None:
+        evidence["picture_size"] = [int(n) for n in picture_size]
+    projection = Projection(shape.family, evidence)
+    return Solid(vertices, tuple(shape.sizes), projection, options.solid_unit, shape.warnings, axes)
+
+
+def _read(drawing: Drawing, options: LiftOptions) -> Shape:
+    """The shape shown, by the family that fits or the one imposed."""
+    problem = _degenerate(drawing)
+    if problem:
+        return _default(drawing, options, problem)
+    kind, evidence = kind_of(drawing)
+    shape = None
+    if kind == "converging" and options.projection in ("auto", "perspective"):
+        shape = perspective_shape(drawing)
+        kind = "parallel" if shape is None else kind
+    if shape is None and kind == "scaled":
+        shape = _scaled(drawing, options)
+    if shape is None:
+        shape = _parallel(drawing, options, taper=1.0)
+        if options.projection == "perspective":
+            shape = replace(shape, warnings=(*shape.warnings, "nothing converges: read as a parallel view"))
+        elif kind == "converging":
+            shape = replace(shape, warnings=(*shape.warnings, "the drawing converges, which was ignored"))
+    return replace(shape, evidence={**evidence, **shape.evidence})
+
+
+def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
+    """Oblique or axonometric, whichever is more likely; a frustum if `taper` is not 1."""
+    face, d = _mean_face(drawing, taper)
+    flat = read_oblique(face, drawing.sizes, drawing.noise)
+    slanted = read_axonometric(face, drawing.sizes, d, drawing.noise)
     odds = flat.odds - slanted.odds
-    if odds >= 0:
-        front = np.c_[face, np.zeros(half)]
-        through = np.array([*d, np.hypot(*d) / 0.5])
+    evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2)}
+    oblique = odds >= 0 if options.projection not in ("oblique", "axonometric") else options.projection == "oblique"
+    if oblique:
+        shape = oblique_shape(face, drawing.sizes, d, options.depth_ratio)
     else:
-        t = d / np.hypot(*d)
-        front = np.c_[face, -(face - face.mean(axis=0)) @ t * np.tan(slanted.slant)]
-        through = np.array([*d, np.hypot(*d) / np.tan(slanted.slant)])
-    if odds >= 0:
-        through[:2] = 0.0
-    vertices: Floats = np.concatenate([front, front + through])
-    family: Literal["oblique", "axonometric"] = "oblique" if odds >= 0 else "axonometric"
-    return Solid(vertices, tuple(sizes), Projection(family, {"odds": odds, **slanted.evidence}), options.solid_unit)
+        shape = axonometric_shape(face, drawing.sizes, d, slanted.slant)
+    return replace(shape, taper=taper, evidence={**evidence, **shape.evidence})
+
+
+def _scaled(drawing: Drawing, options: LiftOptions) -> Shape:
+    """Faces alike but of two sizes: a prism that faces the viewer in perspective, or a tapered object."""
+    scale = drawing.relation.scale
+    tapered = _parallel(drawing, options, taper=scale)
+    far = min(scale, 1.0 / scale) >= _FAR_SCALE and not (drawing.hidden and scale > 1.0)
+    if options.projection == "perspective" or (options.projection == "auto" and far and tapered.family == "oblique"):
+        return facing_shape(drawing)
+    note = f"the back face is {scale:.2f} times the front face: taken as a tapered object with a straight axis"
+    return replace(tapered, warnings=(*tapered.warnings, note))
+
+
+def _mean_face(drawing: Drawing, taper: float) -> tuple[Floats, Floats]:
+    """(m, 2) the face as both drawn ones have it, and (2,) the vector between their centres, pixels."""
+    n = drawing.sizes[0]
+    first, second, known = drawing.first, drawing.second, drawing.known
+    if taper == 1.0:
+        d = drawing.relation.d
+        weight = 0.5 * known[:, None]
+        return first + weight * (second - d - first), d
+    back = (second - drawing.relation.shift) / taper
+    weight = taper**2 / (1.0 + taper**2) * known[:, None]
+    face = first + weight * (back - first)
+    middle = centroid(face[:n])
+    return face, taper * middle + drawing.relation.shift - middle
+
+
+def _degenerate(drawing: Drawing) -> str | None:
+    """Why no depth or no face can be read off, if so."""
+    outer = drawing.first[: drawing.sizes[0]]
+    if np.hypot(*drawing.relation.d) < _FLAT * drawing.diagonal and drawing.relation.translation_rms < (
+        _FLAT * drawing.diagonal
+    ):
+        return "the two faces coincide in the drawing"
+    if ring_area(outer) < _EDGE_ON * float((np.ptp(outer, axis=0) ** 2).sum()):
+        return "the face is seen from its edge"
+    return None
+
+
+def _default(drawing: Drawing, options: LiftOptions, problem: str) -> Shape:
+    """The face as drawn, as deep as half its mean extent."""
+    face = drawing.first
+    depth = 0.25 * float(np.ptp(face, axis=0).sum()) or 1.0
+    warning = f"{problem}: taken as facing the viewer, with half its mean extent as depth"
+    del options
+    return Shape("oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), drawing.sizes, 1.0, True, {}, (warning,))
+
+
+def _mirrored(shape: Shape) -> Shape:
+    """The other reading of the same drawing: near and far exchanged."""
+    flip = np.array([1.0, 1.0, -1.0])
+    pose = shape.pose * flip
+    pose[2] *= -1.0
+    return replace(shape, pose=pose, origin=shape.origin * flip, depth=-shape.depth)

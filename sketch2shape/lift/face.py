@@ -1,0 +1,41 @@
+"""Rings of a face: edges, area, centroid."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sketch2shape.model import Floats, Ints
+
+
+def ring_ends(sizes: list[int]) -> tuple[Ints, Ints]:
+    """First and last vertex of each edge of each ring, the rings one after the other."""
+    first = np.arange(sum(sizes))
+    starts = np.cumsum([0, *sizes[:-1]])
+    last = np.concatenate([s + np.roll(np.arange(n), -1) for s, n in zip(starts, sizes, strict=True)])
+    return first, last
+
+
+def edge_vectors(points: Floats, sizes: list[int]) -> Floats:
+    """(m, dimensions) the edges of all rings of (m, dimensions) points."""
+    first, last = ring_ends(sizes)
+    vectors: Floats = points[last] - points[first]
+    return vectors
+
+
+def ring_area(ring: Floats) -> float:
+    """Area inside an (n, 2) ring, >= 0."""
+    x, y = (ring - ring[0]).T
+    return abs(float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1))))
+
+
+def centroid(ring: Floats) -> Floats:
+    """(2,) centre of the area inside an (n, 2) ring; of its vertices if it has no area."""
+    p = ring - ring[0]
+    q = np.roll(p, -1, axis=0)
+    cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+    total = float(cross.sum())
+    if abs(total) < 1e-9 * max(float((p**2).sum()), 1e-12):
+        mean: Floats = ring.mean(axis=0)
+        return mean
+    centre: Floats = ring[0] + ((p + q) * cross[:, None]).sum(axis=0) / (3.0 * total)
+    return centre

@@ -1,0 +1,61 @@
+"""The object's own axes, and turning it upright into them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from sketch2shape.lift.face import edge_vectors
+from sketch2shape.model import Floats
+
+
+def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
+    """(3, 3) unit rows: width and height in the face, and the normal from the front to the back face.
+
+    Width and height follow the face's edges: the pair of perpendicular directions along which most length lies, width
+    being the one seen more level. Right-handed like the viewer's axes (right, down, away).
+
+    front   : (m, 3) front face
+    through : (3,) from the front face to the back face
+    """
+    normal = _unit(through, np.array([0.0, 0.0, 1.0]))
+    level = _unit(np.cross(np.cross(normal, [1.0, 0.0, 0.0]), normal), np.array([1.0, 0.0, 0.0]))
+    across = np.cross(normal, level)
+    flat = edge_vectors(front, sizes) @ np.c_[level, across]
+    length = np.hypot(*flat.T)
+    turn = 4.0 * np.arctan2(flat[:, 1], flat[:, 0])
+    # angles that are equal modulo 90 degrees add up when taken four times; squares favour long edges over many short
+    # ones
+    lean = float(np.arctan2((length**2) @ np.sin(turn), (length**2) @ np.cos(turn))) / 4.0
+    strength = np.hypot((length**2) @ np.sin(turn), (length**2) @ np.cos(turn)) / max(float((length**2).sum()), 1e-12)
+    if strength < 0.3:
+        lean = 0.0
+    width = np.cos(lean) * level + np.sin(lean) * across
+    return np.array([width, np.cross(normal, width), normal])
+
+
+def upright(vertices: Floats, axes: Floats, up: Literal["y", "z"]) -> tuple[Floats, Floats]:
+    """Vertices and axes turned into the object's own frame, standing on the ground, centred over the origin.
+
+    The own axis that is seen most nearly vertical points along `up`; the direction seen most nearly along the line of
+    sight points to -z for "y" up, to +y for "z" up.
+    """
+    down = axes[np.abs(axes[:, 1]).argmax()]
+    down = down * np.sign(down[1])
+    rest = [a for a in axes if abs(a @ down) < 0.5]
+    away = max(rest, key=lambda a: abs(a[2]))
+    away = away * (np.sign(away[2]) or 1.0)
+    right = np.cross(down, away)
+    turn = np.array([right, -down, -away]) if up == "y" else np.array([right, away, -down])
+    moved, turned = vertices @ turn.T, axes @ turn.T
+    low, high = moved.min(axis=0), moved.max(axis=0)
+    origin = 0.5 * (low + high)
+    height = 1 if up == "y" else 2
+    origin[height] = low[height]
+    return moved - origin, turned
+
+
+def _unit(vector: Floats, default: Floats) -> Floats:
+    size = float(np.linalg.norm(vector))
+    return vector / size if size > 1e-12 else default

@@ -1,0 +1,82 @@
+"""How the two faces of a drawing are related: the three nested families and how well each fits.
+
+The faces of a two-face object lie in parallel planes and their connecting lines meet in one point or are parallel, so
+their images are always related by a planar homology (Hartley and Zisserman, Multiple View Geometry, section A7.2): its
+centre is the image of the connecting direction, its axis the vanishing line of the faces. Special cases are the
+homothety (axis at infinity: a frustum in a parallel view, or a prism facing the viewer in perspective) and the
+translation (both at infinity: a prism in a parallel view).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sketch2shape.model import Bools, Floats
+
+
+@dataclass(frozen=True)
+class FaceRelation:
+    """Translation, homothety and homology fitted to f1 -> f2; rms is of one coordinate of one vertex, pixels.
+
+    d               : (2,) translation, pixels
+    translation_rms : residual of the translation
+    scale, shift    : homothety f2 = scale * f1 + shift, (2,) pixels
+    homothety_rms   : residual of the homothety
+    centre          : (3,) homogeneous point where the connecting lines meet, unit vector
+    centre_rms      : residual of the connecting lines, as if one coordinate of each vertex were off
+    """
+
+    d: Floats
+    translation_rms: float
+    scale: float
+    shift: Floats
+    homothety_rms: float
+    centre: Floats
+    centre_rms: float
+
+
+def relate_faces(first: Floats, second: Floats, known: Bools | None = None) -> FaceRelation:
+    """Fit the families to corresponding vertices.
+
+    first, second : (m, 2) pixels
+    known         : (m,) which pairs count; all if fewer than three do
+
+    Residuals are per vertex of either face: a pair's difference has twice the variance of one vertex.
+    """
+    if known is not None and int(known.sum()) >= 3:
+        first, second = first[known], second[known]
+    m = len(first)
+    d = (second - first).mean(axis=0)
+    translation = np.sqrt(((second - first - d) ** 2).sum() / (2.0 * (2 * m - 2)))
+    a, b = first - first.mean(axis=0), second - second.mean(axis=0)
+    spread = float((a**2).sum())
+    scale = float((a * b).sum() / spread) if spread > 0 else 1.0
+    shift = second.mean(axis=0) - scale * first.mean(axis=0)
+    homothety = np.sqrt(((b - scale * a) ** 2).sum() / ((1.0 + scale**2) * max(2 * m - 3, 1)))
+    centre, off = _meeting_point(first, second)
+    return FaceRelation(d, float(translation), scale, shift, float(homothety), centre, off)
+
+
+def _meeting_point(first: Floats, second: Floats) -> tuple[Floats, float]:
+    """Least-squares common point of the connecting lines, homogeneous, and the rms distance by which they miss it.
+
+    The residual of a line is how far its two vertices must be moved across it, so long and short lines weigh alike in
+    pixels; two reweighted passes are enough.
+    """
+    middle = 0.5 * (first + second).mean(axis=0)
+    size = float(np.abs(np.concatenate([first, second]) - middle).max()) or 1.0
+    p, q = (first - middle) / size, (second - middle) / size
+    lines = np.cross(np.c_[p, np.ones(len(p))], np.c_[q, np.ones(len(q))])
+    weight = np.ones(len(p))
+    point = np.array([0.0, 0.0, 1.0])
+    for _ in range(3):
+        rows = lines * weight[:, None]
+        point = np.linalg.svd(rows)[2][2]
+        # moving p and q by e across the line changes line . point by about e * hypot(|q - point|, |p - point|)
+        reach = np.hypot(*[np.linalg.norm(r * point[2] - point[:2], axis=1) for r in (p, q)])
+        weight = 1.0 / np.maximum(reach, 1e-9)
+    rms = float(np.sqrt(((lines @ point * weight) ** 2).sum() / max(len(p) - 2, 1))) * size
+    moved = np.array([point[0] * size + middle[0] * point[2], point[1] * size + middle[1] * point[2], point[2]])
+    return moved / np.linalg.norm(moved), rms

@@ -1,0 +1,225 @@
+"""Right prisms in perspective: camera, pose and true face from the drawing.
+
+With the principal point assumed, the drawing of a right prism leaves one number free, the focal length. In calibrated
+coordinates r (a pixel minus the principal point, over the focal length, with a third coordinate 1) the front face
+lies in the plane N . X = 1, so X1 = r1 / (N . r1), and the back face is X2 = X1 + depth N. Hence r2 is proportional to
+r1 + depth (N . r1) N: a homology with three unknowns, fitted by Gauss-Newton for many focal lengths at a time. The
+focal length is then the one that fits the drawing and makes the face regular.
+
+Two places are tried for the principal point: the middle of the object (one looks at what one draws) and level with the
+meeting point of the connecting edges (a two-point drawing: the line of sight is level, uprights stay parallel). A prism
+that faces the viewer (one-point drawing) shows its true face, and its focal length not at all.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sketch2shape.lift.projection import Drawing
+from sketch2shape.lift.regularity import find_relations, score
+from sketch2shape.lift.shape import Shape
+from sketch2shape.model import Floats
+
+#: focal length over the diagonal of the object's picture: the usual value and its spread (of the logarithm)
+USUAL_FOCAL, _FOCAL_SPREAD = 1.9, 0.4
+
+#: focal lengths tried, over the diagonal
+_FOCALS = np.geomspace(0.7, 8.0, 60)
+
+#: Gauss-Newton steps: the start is good, four would do
+_STEPS = 6
+
+#: depth over the distance of the front face beyond which a reading is nonsense
+_DEEPEST = 20.0
+
+
+@dataclass(frozen=True)
+class Cameras:
+    """Candidate cameras and the prism each sees.
+
+    focal  : (g,) pixels
+    centre : (g, 2) principal point, pixels
+    normal : (g, 3) unit normal of the faces, away from the viewer
+    depth  : (g,) distance between the faces, front face at distance 1 along the normal; negative if f2 is nearer
+    rss    : (g,) sum of squared residuals of the fit, pixels^2
+    """
+
+    focal: Floats
+    centre: Floats
+    normal: Floats
+    depth: Floats
+    rss: Floats
+
+
+def perspective_shape(drawing: Drawing) -> Shape | None:
+    """The right prism seen by the best camera; None if no camera sees one."""
+    first, second, noise = drawing.first, drawing.second, drawing.noise
+    middle = np.concatenate([first, second]).mean(axis=0)
+    focal, centre = _candidates(drawing.relation.centre, middle, drawing.diagonal)
+    cameras = _fit(first, second, focal, centre, drawing.relation.centre)
+    shapes, maps = _true_faces(first, second, cameras)
+    possible = np.isfinite(cameras.rss) & np.isfinite(shapes).all(axis=(1, 2)) & (np.abs(cameras.depth) < _DEEPEST)
+    if not possible.any():
+        return None
+    shapes, maps = np.where(possible[:, None, None], shapes, 0.0), np.where(possible[:, None, None], maps, np.eye(2))
+    rss = np.where(possible, cameras.rss, np.inf)
+    relations = find_relations(shapes[int(rss.argmin())], drawing.sizes, first, noise)
+    odds = score(relations, shapes, maps, noise) - rss / (4.0 * noise**2)
+    odds -= 0.5 * (np.log(focal / drawing.diagonal / USUAL_FOCAL) / _FOCAL_SPREAD) ** 2
+    best = int(odds.argmax())
+    pose = np.array([*(axis[best] for axis in _plane(cameras.normal)), cameras.normal[best]])
+    # the drawn and the true object shall have about one size
+    size = drawing.diagonal / float(np.linalg.norm(np.ptp((shapes[best] @ pose[:2])[:, :2], axis=0)))
+    size *= float(np.linalg.norm(np.ptp(first, axis=0))) / drawing.diagonal
+    evidence = {
+        "focal_px": round(float(focal[best]), 1),
+        "principal_point": [round(float(c), 1) for c in centre[best]],
+        "vanishing_point": _finite(drawing.relation.centre),
+        "level_line_of_sight": best >= len(_FOCALS),
+        "fit_rms_px": round(float(np.sqrt(rss[best] / (2.0 * first.size))), 3),
+    }
+    return Shape(
+        "perspective",
+        shapes[best] * size,
+        pose,
+        pose[2] * size,
+        float(cameras.depth[best]) * size,
+        maps[best] * size,
+        drawing.sizes,
+        evidence=evidence,
+    )
+
+
+def facing_shape(drawing: Drawing) -> Shape:
+    """A prism that faces the viewer: the face as drawn, the depth from an assumed focal length.
+
+    The back face is drawn z1 / (z1 + depth) times as large as the front face, with z1 the focal length if the front
+    face is to keep its size in pixels. Nothing in the drawing tells that focal length.
+    """
+    r = drawing.relation
+    focal = USUAL_FOCAL * drawing.diagonal
+    middle = r.shift / (1.0 - r.scale)
+    weight = r.scale**2 / (1.0 + r.scale**2) * drawing.known[:, None]
+    face = drawing.first + weight * ((drawing.second - r.shift) / r.scale - drawing.first)
+    depth = focal * (1.0 / r.scale - 1.0)
+    evidence = {"focal_px": round(focal, 1), "vanishing_point": [round(float(c), 1) for c in middle]}
+    warning = (
+        f"one vanishing point: a focal length of {USUAL_FOCAL} times the object's picture is assumed; "
+        "it could also be a tapered object (projection oblique)"
+    )
+    return Shape(
+        "perspective",
+        face,
+        np.eye(3),
+        np.zeros(3),
+        depth,
+        np.eye(2),
+        drawing.sizes,
+        free=True,
+        evidence=evidence,
+        warnings=(warning,),
+    )
+
+
+def _finite(point: Floats) -> list[float] | None:
+    """A homogeneous point in pixels, None if it is too far away to matter."""
+    if abs(point[2]) < 1e-7 * float(np.hypot(point[0], point[1])):
+        return None
+    return [round(float(c), 1) for c in point[:2] / point[2]]
+
+
+def _candidates(meeting: Floats, middle: Floats, diagonal: float) -> tuple[Floats, Floats]:
+    """Focal lengths (g,) and principal points (g, 2) to try."""
+    focals = _FOCALS * diagonal
+    points = [middle]
+    if abs(meeting[1]) < 20.0 * diagonal * abs(meeting[2]) + 20.0 * abs(meeting[0]) and meeting[2] != 0.0:
+        points.append(np.array([middle[0], meeting[1] / meeting[2]]))
+    return np.tile(focals, len(points)), np.repeat(np.array(points), len(focals), axis=0)
+
+
+def _rays(points: Floats, focal: Floats, centre: Floats) -> Floats:
+    """(g, m, 3) calibrated coordinates of (m, 2) pixels."""
+    flat = (points[None] - centre[:, None]) / focal[:, None, None]
+    return np.concatenate([flat, np.ones((*flat.shape[:2], 1))], axis=2)
+
+
+def _fit(first: Floats, second: Floats, focal: Floats, centre: Floats, meeting: Floats) -> Cameras:
+    """Fit normal and depth for each camera."""
+    one, two = _rays(first, focal, centre), _rays(second, focal, centre)
+    start = np.stack(
+        [
+            (meeting[0] - centre[:, 0] * meeting[2]) / focal,
+            (meeting[1] - centre[:, 1] * meeting[2]) / focal,
+            np.full(len(focal), meeting[2]),
+        ],
+        axis=1,
+    )
+    normal = start / np.linalg.norm(start, axis=1, keepdims=True)
+    normal *= np.where((one @ normal[:, :, None]).mean(axis=(1, 2)) < 0, -1.0, 1.0)[:, None]
+    depth = _first_depth(one, two, normal)
+    sign = np.where(depth < 0, -1.0, 1.0)
+    m = normal * np.sqrt(np.abs(depth))[:, None]
+    rss = np.full(len(focal), np.inf)
+    for _ in range(_STEPS):
+        residual, jacobian = _transfer(one, two, m, sign, focal)
+        rss = (residual**2).sum(axis=1)
+        square = np.einsum("gki,gkj->gij", jacobian, jacobian) + 1e-9 * np.eye(3)
+        step = np.linalg.solve(square, np.einsum("gki,gk->gi", jacobian, residual)[..., None])[..., 0]
+        m = m - np.where(np.isfinite(step), step, 0.0)
+    size = np.linalg.norm(m, axis=1)
+    normal = m / np.maximum(size, 1e-12)[:, None]
+    facing = (one @ normal[:, :, None])[..., 0]
+    good = (facing.min(axis=1) > 0.02) | (facing.max(axis=1) < -0.02)
+    normal = normal * np.sign(facing[:, :1])
+    return Cameras(focal, centre, normal, sign * size**2, np.where(good & np.isfinite(rss), rss, np.inf))
+
+
+def _first_depth(one: Floats, two: Floats, normal: Floats) -> Floats:
+    """(g,) depth by linear least squares, the normal known."""
+    facing = one @ normal[:, :, None]
+    base, way = np.cross(two, one), np.cross(two, facing * normal[:, None])
+    depth: Floats = -(base * way).sum(axis=(1, 2)) / np.maximum((way**2).sum(axis=(1, 2)), 1e-18)
+    return depth
+
+
+def _transfer(one: Floats, two: Floats, m: Floats, sign: Floats, focal: Floats) -> tuple[Floats, Floats]:
+    """Residuals (g, 2m) of the back face, pixels, and their derivatives (g, 2m, 3) by m."""
+    facing = one @ m[:, :, None]
+    point = one + sign[:, None, None] * facing * m[:, None]
+    z = np.where(np.abs(point[..., 2:]) < 1e-6, 1e-6, point[..., 2:])
+    flat = point[..., :2] / z
+    residual = (flat - two[..., :2]) * focal[:, None, None]
+    change = sign[:, None, None, None] * (facing[..., None] * np.eye(3) + m[:, None, :, None] * one[:, :, None, :])
+    jacobian = (change[:, :, :2] - flat[..., None] * change[:, :, 2:]) / z[..., None] * focal[:, None, None, None]
+    g = len(m)
+    return residual.reshape(g, -1), jacobian.reshape(g, -1, 3)
+
+
+def _true_faces(first: Floats, second: Floats, cameras: Cameras) -> tuple[Floats, Floats]:
+    """(g, m, 2) the face in its own plane, second axis down, and (g, 2, 2) the mean linear map from the drawing."""
+    front = _front(first, second, cameras)
+    right, down = _plane(cameras.normal)
+    shapes = np.stack([np.einsum("gmi,gi->gm", front, axis) for axis in (right, down)], axis=2)
+    centred = first - first.mean(axis=0)
+    maps = np.linalg.pinv(centred) @ (shapes - shapes.mean(axis=1, keepdims=True))
+    return shapes, maps
+
+
+def _front(first: Floats, second: Floats, cameras: Cameras) -> Floats:
+    """(g, m, 3) front face: the mean of what both drawn faces say."""
+    normal, depth = cameras.normal[:, None], cameras.depth[:, None, None]
+    one, two = (_rays(p, cameras.focal, cameras.centre) for p in (first, second))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near = one / (one * normal).sum(axis=2, keepdims=True)
+        far = two / (two * normal).sum(axis=2, keepdims=True) * (1.0 + depth) - depth * normal
+    mean: Floats = 0.5 * (near + far)
+    return mean
+
+
+def _plane(normal: Floats) -> tuple[Floats, Floats]:
+    """Unit axes (g, 3) of each plane: one that looks level, and the one that looks down across it."""
+    down = np.cross(normal, np.broadcast_to([1.0, 0.0, 0.0], normal.shape))
+    down /= np.maximum(np.linalg.norm(down, axis=1, keepdims=True), 1e-12)
+    return np.cross(down, normal), down

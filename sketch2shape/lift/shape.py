@@ -1,0 +1,49 @@
+"""A solid before it is measured: its true face, where that lies, and how far it reaches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from sketch2shape.lift.face import centroid
+from sketch2shape.model import Floats
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A prism, or a frustum, with parallel faces.
+
+    family    : how it was projected
+    flat      : (m, 2) true face in its own plane, all rings, about as large as drawn, pixels
+    pose      : (3, 3) rows: the plane's two axes and its normal, away from the viewer, in the viewer's axes
+    origin    : (3,) where the plane's (0, 0) lies
+    depth     : distance between the faces along the normal, negative if f2 is the nearer one
+    taper     : size of the back face over that of the front face
+    map       : (2, 2) the linear part of drawing -> flat, row vectors
+    sizes     : vertices of each ring
+    free      : was the depth a mere default?
+    evidence  : numbers for the report
+    warnings  : what had to be assumed
+    """
+
+    family: Literal["oblique", "axonometric", "perspective"]
+    flat: Floats
+    pose: Floats
+    origin: Floats
+    depth: float
+    map: Floats
+    sizes: list[int]
+    taper: float = 1.0
+    free: bool = False
+    evidence: dict[str, Any] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def vertices(self) -> Floats:
+        """(2m, 3) front face, then back face."""
+        middle = centroid(self.flat[: self.sizes[0]])
+        back = middle + self.taper * (self.flat - middle)
+        plane, normal = self.pose[:2], self.pose[2]
+        return np.concatenate([self.flat @ plane, back @ plane + self.depth * normal]) + self.origin
