@@ -7,10 +7,10 @@ The file is JSON. For one picture:
                   "holes": [{"f1": [...], "f2": [...]}],
                   "projection": "axonometric", "width": "40mm"}]}
 
-`"d": [dx, dy]` may stand for "f2", which is then f1 shifted. With `"vertices": [[x, y], ...]` the rings may be indices into
-it. An object without "f1" leaves the finding to the program and only says how to lift the object at this place of the
-list. For a folder, `{"schema": ..., "pictures": {"a.png": {"objects": [...]}, ...}}`. A report (NAME.json) is accepted as
-well, so that a wrong number can be put right in it and the report given back.
+`"d": [dx, dy]` may stand for "f2", which is then f1 shifted. With `"vertices": [[x, y], ...]` the rings may be indices
+into it. An object without "f1" leaves the finding to the program and only says how to lift the object at this place of
+the list. For a folder, `{"schema": ..., "pictures": {"a.png": {"objects": [...]}, ...}}`. A report (NAME.json) is
+accepted as well, so that a wrong number can be put right in it and the report given back.
 """
 
 from __future__ import annotations

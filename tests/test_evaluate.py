@@ -1,0 +1,98 @@
+"""The evaluation itself: an oracle scores 100 %, and what goes wrong is counted and named."""
+
+import importlib
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sketch2shape import errors
+from sketch2shape.model import FacePair, Picture, Projection, Solid, TwoFaceObject
+from sketch2shape.result import Result
+from sketch2shape.synthetic import metrics
+from sketch2shape.synthetic.drawing import draw
+
+SCRIPTS = Path(__file__).parent.parent / "scripts"
+
+
+@pytest.fixture(scope="module")
+def scripts():
+    sys.path.insert(0, str(SCRIPTS))
+    yield {name: importlib.import_module(name) for name in ("evaluate", "results_page", "failure_sheets")}
+    sys.path.remove(str(SCRIPTS))
+
+
+@pytest.fixture
+def case(tmp_path):
+    drawing = draw("clean_wire_axono", 3, 0)
+    return {"set": "fresh", "id": drawing.truth["id"], "picture": str(drawing.save(tmp_path)), "truth": drawing.truth}
+
+
+def result_for(truth, confidence=0.95, turn=0):
+    """What a perfect tool would say; `turn` gives the back face a wrong order."""
+    f2 = np.roll(truth["f2"], turn, 0)
+    found = TwoFaceObject(np.array(truth["f1"]), np.array(f2), tuple(FacePair(**h) for h in truth["holes"]), confidence)
+    solid = Solid(metrics.true_solid(truth), (truth["n"],), Projection("axonometric"))
+    return Result((found,), (solid,), Picture(np.zeros((2, 2, 3), np.uint8)))
+
+
+def pretend(monkeypatch, answer):
+    module = importlib.import_module("sketch2shape.reconstruct")
+    monkeypatch.setattr(module, "reconstruct", answer, raising=False)
+
+
+def test_an_oracle_is_exact_with_a_good_mesh_and_solid(scripts, case, monkeypatch):
+    pretend(monkeypatch, lambda _: result_for(case["truth"]))
+    outcome = scripts["evaluate"].measure(case)
+    assert outcome["exact"]
+    assert outcome["mesh"]
+    assert outcome["solid"]
+    assert outcome["iou"] == pytest.approx(1, abs=1e-6)
+    # Two independent samples of one surface still lie a little apart.
+    assert outcome["chamfer"] < 0.03
+
+
+def test_wrong_answers_refusals_and_bugs_are_told_apart(scripts, case, monkeypatch):
+    def refuse(_):
+        raise errors.NoObjectError("no two faces")
+
+    def fail(_):
+        raise ZeroDivisionError("oh")
+
+    kinds = []
+    for answer in (lambda _: result_for(case["truth"], turn=1), refuse, fail):
+        pretend(monkeypatch, answer)
+        outcome = scripts["evaluate"].measure(case)
+        assert not outcome["exact"]
+        kinds.append(scripts["results_page"].kind_of(outcome))
+    assert kinds == ["edges wrong", "refused", "crashed: ZeroDivisionError"]
+
+
+def test_a_crash_is_no_right_refusal(scripts, monkeypatch, tmp_path):
+    def fail(_):
+        raise ZeroDivisionError
+
+    pretend(monkeypatch, fail)
+    drawing = draw("negative", 1, 3)
+    case = {"set": "fresh", "id": "negative/003", "picture": str(drawing.save(tmp_path)), "truth": drawing.truth}
+    assert not scripts["evaluate"].measure(case)["exact"]
+
+
+def test_the_page_tells_the_command_the_shares_and_the_failures(scripts, case, monkeypatch, tmp_path):
+    pytest.importorskip("matplotlib")
+    outcomes = []
+    for turn in (0, 0, 0, 1):
+        pretend(monkeypatch, lambda _, turn=turn: result_for(case["truth"], turn=turn))
+        outcomes.append(scripts["evaluate"].measure(case))
+    page = tmp_path / "docs" / "results.md"
+    sheets = scripts["failure_sheets"].write_sheets(outcomes, page.parent / "failures")
+    scripts["results_page"].write_page(page, outcomes, "python scripts/evaluate.py", sheets)
+    text = page.read_text()
+    assert "python scripts/evaluate.py" in text
+    assert "| fresh | 4 | 75.0 |" in text
+    assert "Of 4 answers with confidence 0.9 or more, 75.0 % are right." in text
+    assert "vertices right, edges wrong" in text
+    assert "failures/1.jpg" in text
+    assert (page.parent / "failures" / "1.jpg").stat().st_size > 1000
+    assert (page.parent / "reliability.svg").exists()
