@@ -67,3 +67,20 @@ class MissingPackageError(Sketch2ShapeError):
 
     exit_code = 8
     remedy = "pip install 'sketch2shape[all]'"
+
+
+class CrashError(Sketch2ShapeError):
+    """The process that worked on the input died, or a bug stopped it."""
+
+
+class InterruptedRunError(Sketch2ShapeError):
+    """The run was interrupted before this input was done."""
+
+    exit_code = 130
+    remedy = "--resume"
+
+
+def one_line(source: str, message: str, remedy: str) -> str:
+    """`FILE: what happened. Try: remedy`, on one line whatever characters a file name holds."""
+    text = f"{source}: {message}. Try: {remedy}"
+    return "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in text)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sketch2shape.errors import WriteError
+from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.model import Picture, Solid, TwoFaceObject
 
 if TYPE_CHECKING:
@@ -24,12 +22,14 @@ class Result:
     solids     : one solid for each object, same order
     picture    : the picture it was read from
     timings_ms : time of each stage, milliseconds
+    error      : why there are no objects, where `reconstruct_many` met a failure; `reconstruct` raises it instead
     """
 
     objects: tuple[TwoFaceObject, ...]
     solids: tuple[Solid, ...]
     picture: Picture
     timings_ms: dict[str, float] = field(default_factory=dict)
+    error: Sketch2ShapeError | None = None
 
     @property
     def mesh(self) -> Trimesh:
@@ -47,9 +47,10 @@ class Result:
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
         from sketch2shape.export import encode, format_of
+        from sketch2shape.write import write_file
 
         target = Path(path)
-        _write_atomic(target, encode(self, format or format_of(target), ngons=ngons))
+        write_file(target, encode(self, format or format_of(target), ngons=ngons), overwrite=True)
         return target
 
     def _repr_html_(self) -> str:
@@ -63,20 +64,3 @@ class Result:
         from sketch2shape.pictures.notebook import notebook_png
 
         return notebook_png(self)
-
-
-def _write_atomic(target: Path, data: bytes) -> None:
-    """Write beside the target, flush, then rename: the target is never half written."""
-    try:
-        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-            Path(name).replace(target)
-        except BaseException:
-            Path(name).unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise WriteError(f"cannot write {target}: {error.strerror or error}") from error

@@ -1,0 +1,80 @@
+"""Many pictures from Python: one result for each, whatever happens to it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sketch2shape.batch.pool import run_each
+from sketch2shape.convert import as_known
+from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.limits import Limits
+from sketch2shape.model import Picture
+from sketch2shape.read import source_name
+from sketch2shape.result import Result
+
+
+def reconstruct_many(
+    sources: Iterable[Any],
+    *,
+    jobs: int | None = None,
+    timeout: float | None = 120.0,
+    max_memory: int | None = 4 * 2**30,
+    limits: Limits | None = None,
+    **options: Any,
+) -> Iterator[Result]:
+    """Reconstruct pictures in worker processes; yield one result for each source, in their order.
+
+    sources    : paths, bytes or arrays, in any iterable; it is read no further than a few items ahead
+    jobs       : number of workers; None: one for each core
+    timeout    : seconds for one picture
+    max_memory : bytes for one picture on top of the program itself
+    options    : as for `reconstruct`
+
+    A source that fails gives a result without objects whose `error` says why; nothing is raised for it. The pictures
+    in the results are white and of the right size: the pixels stay in the workers.
+    """
+    numbered = enumerate(sources)
+    work = partial(_reconstruct, limits=limits or Limits(), options=options)
+    waiting: dict[int, Result] = {}
+    turn = 0
+    for (number, source), answer in run_each(numbered, work, jobs=jobs, timeout=timeout, max_memory=max_memory):
+        waiting[number] = _as_result(answer, source)
+        while turn in waiting:
+            yield waiting.pop(turn)
+            turn += 1
+
+
+@dataclass(frozen=True)
+class _Answer:
+    """A result on its way out of a worker: without pixels, of which only the size (width, height) travels."""
+
+    result: Result
+    size: tuple[int, int]
+
+
+def _reconstruct(numbered: tuple[int, Any], limits: Limits, options: dict[str, Any]) -> _Answer | Sketch2ShapeError:
+    """Run in the worker."""
+    from importlib import import_module
+
+    try:
+        result: Result = import_module("sketch2shape.reconstruct").reconstruct(numbered[1], limits=limits, **options)
+    except Exception as error:
+        return as_known(error)
+    height, width = result.picture.pixels.shape[:2]
+    return _Answer(replace(result, picture=_white(result.picture.source, 0, 0)), (width, height))
+
+
+def _as_result(answer: _Answer | Sketch2ShapeError, source: Any) -> Result:
+    if isinstance(answer, Sketch2ShapeError):
+        return Result((), (), _white(source_name(source), 0, 0), error=answer)
+    return replace(answer.result, picture=_white(answer.result.picture.source, *answer.size))
+
+
+def _white(name: str, width: int, height: int) -> Picture:
+    """A white picture that takes no memory."""
+    return Picture(np.broadcast_to(np.uint8(255), (height, width, 3)), name)

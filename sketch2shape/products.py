@@ -1,0 +1,55 @@
+"""What can be written for one picture: meshes, the report, pictures; each with a file ending and an encoder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from sketch2shape.errors import UsageError
+from sketch2shape.result import Result
+
+#: products that are no mesh -> ending of their files
+SUFFIXES: dict[str, str] = {"json": ".json"}
+
+#: products that are no mesh and need a result -> function of the result that gives the bytes
+ENCODERS: dict[str, Callable[[Result], bytes]] = {}
+
+
+def suffix(product: str) -> str:
+    """Ending of the files of a product: ".json", ".obj", ... Raises UsageError for an unknown one."""
+    if product in SUFFIXES:
+        return SUFFIXES[product]
+    from sketch2shape.export import FORMATS
+
+    if product not in FORMATS:
+        known = ", ".join([*FORMATS, *SUFFIXES])
+        raise UsageError(f"no format is called {product!r}", remedy=f"--format with one of {known}")
+    return "." + product.partition("-")[0]
+
+
+def infixed(path: str, product: str, infix: str) -> str:
+    """NAME.2.obj for NAME.obj and the infix ".2"; standard output stays what it is."""
+    if path == "-":
+        return path
+    ending = suffix(product)
+    stem = path[: -len(ending)] if path.lower().endswith(ending) else path
+    return stem + infix + path[len(stem) :]
+
+
+def product_of(name: str) -> str:
+    """The product meant by a file name. Raises UsageError."""
+    for product, ending in SUFFIXES.items():
+        if name.lower().endswith(ending):
+            return product
+    from sketch2shape.export import format_of
+
+    return format_of(name)
+
+
+def encode_product(product: str, result: Result, options: dict[str, Any]) -> bytes:
+    """The bytes of a mesh or a picture. `options` go to the mesh encoder."""
+    if product in ENCODERS:
+        return ENCODERS[product](result)
+    from sketch2shape.export import encode
+
+    return encode(result, product, **options)
