@@ -161,7 +161,7 @@ class _Crew:
             from pebble import ProcessPool
 
             multiprocessing.set_forkserver_preload(list(PRELOAD))
-            self._pool = ProcessPool(self.jobs, initializer=prepare, initargs=(self._max_memory,), context=_context())
+            self._pool = ProcessPool(self.jobs, initializer=prepare, initargs=(self._max_memory,), context=_Context())
             with _one_thread_each():
                 self._pool.schedule(int)  # the first task starts the workers
         return self._pool
@@ -195,22 +195,29 @@ def _known(value: Any, timeout: float | None) -> Any:
     return CrashError(f"the worker died ({type(value).__name__}: {str(value)[:200]})")
 
 
-def _context() -> Any:
-    """A multiprocessing context whose workers do not run the user's main script again.
+#: workers come from a fork server, which has no threads that could hold a lock, or are spawned where there is none
+_BASE: Any = multiprocessing.get_context(
+    "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+)
 
-    Workers come from a fork server, which has no threads that could hold a lock, or are spawned where there is none.
-    Both would import the main script, and a script without a `__name__` guard would start workers of workers.
+
+class _Process(_BASE.Process):  # type: ignore[misc]
+    """A worker that does not run the user's main script again.
+
+    Both ways of starting it would import that script, and a script without a `__name__` guard would then start workers
+    of workers.
     """
-    method = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
-    base: Any = multiprocessing.get_context(method)
 
-    class Process(base.Process):  # type: ignore[misc]
-        @staticmethod
-        def _Popen(process: Any) -> Any:  # noqa: N802  (the name multiprocessing gives it)
-            with _without_main():
-                return base.Process._Popen(process)
+    @staticmethod
+    def _Popen(process: Any) -> Any:  # noqa: N802  (the name multiprocessing gives it)
+        with _without_main():
+            return _BASE.Process._Popen(process)
 
-    return type("Context", (type(base),), {"Process": Process})()
+
+class _Context(type(_BASE)):  # type: ignore[misc]
+    """The context that starts such workers."""
+
+    Process = _Process
 
 
 @contextlib.contextmanager
