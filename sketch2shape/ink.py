@@ -12,9 +12,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.clutter import without_clutter
+from sketch2shape.fills import without_fills
 from sketch2shape.ground import read_ground
 from sketch2shape.model import Floats, Ink, Picture
 from sketch2shape.page import find_page, page_homography
+from sketch2shape.pen import pen_width_of
 
 Gray = NDArray[np.uint8]
 
@@ -38,7 +41,10 @@ def find_ink(picture: Picture) -> Ink:
         on_page, corners = find_page(ground.paper, mask)
         contrast = contrast if on_page is None else np.where(on_page, contrast, np.uint8(0))
         page = None if corners is None else _rectification(corners, ground.scale, picture)
-    mask = ink_mask(contrast, max(floor, paper_marks(contrast)))
+    floor = max(floor, paper_marks(contrast))
+    contrast = without_fills(contrast, floor)
+    mask = ink_mask(contrast, floor)
+    mask = without_clutter(mask)
     peak = float(np.percentile(contrast[mask], 90)) if mask.any() else 255.0
     strength = np.minimum(contrast.astype(np.float32) / max(peak, 1.0), 1.0)
     return Ink(mask=mask, strength=strength, pen_width=pen_width_of(mask), scale=ground.scale, page=page)
@@ -51,10 +57,31 @@ def _rectification(corners: Floats, scale: float, picture: Picture) -> Floats:
 
 
 def ink_mask(contrast: Gray, floor: float) -> NDArray[np.bool_]:
-    """Ink: at least half of the local peak of `contrast` and above `floor`."""
-    peak = np.asarray(cv2.dilate(contrast, np.ones((9, 9), np.uint8)), dtype=np.uint8)
-    near = np.maximum(peak // 2, min(int(floor), 255))
+    """Ink: at least half of the local peak of `contrast`, above `floor` and above the ringing around strong ink."""
+    peak = _u8(cv2.dilate(contrast, np.ones((9, 9), np.uint8)))
+    near = np.maximum(peak // 2, np.uint8(min(int(floor), 255)))
+    ringing = _ringing(contrast, peak)
+    if ringing > 0.0:
+        wide_peak = _u8(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))
+        near = np.maximum(near, _u8(cv2.convertScaleAbs(wide_peak, alpha=ringing)))
     return np.asarray(contrast > near, dtype=np.bool_)
+
+
+def _ringing(contrast: Gray, peak: Gray) -> float:
+    """Height of the JPEG ringing around strokes as a share of their contrast, at most a fifth; 0 in clean pictures."""
+    levels = cv2.calcHist([contrast], [0], None, [256], [0, 256]).ravel()
+    if levels[1:16].sum() < 0.004 * contrast.size:
+        return 0.0
+    wide_peak = _u8(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))
+    around = (wide_peak > 80) & (peak < wide_peak // 3)
+    if np.count_nonzero(around) < 200:
+        return 0.0
+    share = contrast[around] / wide_peak[around].astype(np.float32)
+    return float(min(0.2, 5.0 * np.percentile(share, 90)))
+
+
+def _u8(array: NDArray[np.generic]) -> Gray:
+    return np.asarray(array, dtype=np.uint8)
 
 
 def paper_marks(contrast: Gray) -> float:
@@ -73,13 +100,3 @@ def paper_marks(contrast: Gray) -> float:
         return 0.0
     paper = tallest[(tallest < 1.6 * low + 4)]
     return 1.2 * float(np.percentile(paper, 95))
-
-
-def pen_width_of(mask: NDArray[np.bool_]) -> float:
-    """Typical stroke width, working pixels: median over the ridge of the distance transform; 1 without ink."""
-    if not mask.any():
-        return 1.0
-    padded = np.pad(mask.astype(np.uint8), 1)
-    distance = cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5)
-    ridge = (distance >= cv2.dilate(distance, np.ones((3, 3), np.uint8))) & (padded > 0)
-    return max(1.0, 2.0 * float(np.median(distance[ridge])) - 0.7)

@@ -1,0 +1,174 @@
+"""Clutter: specks, letters and digits that do not belong to the drawing, told from dashes and dots, which do.
+
+Small components are measured by their second moments. A dash has another dash, or the drawing itself, straight
+ahead; a dot lies in a row of dots; where dashes meet at a hidden corner, two of them point at the small component.
+Whatever else is much smaller than the drawing and touches nothing is clutter.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.pen import pen_width_of
+
+SMALL = 0.12
+"""Components up to this share of the largest one's diagonal are looked at."""
+LETTER = 0.09
+"""Letters and lone dashes above this share are kept: they may be a small hole or a short edge."""
+MOST = 700
+"""Small components that are compared with each other, the largest first; further ones are specks."""
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Small components of the ink, working pixels.
+
+    labels : (n,) label of each in the label image
+    centre : (n, 2) x, y
+    axis   : (n, 2) unit vector along it
+    length, width : (n,) extent along and across the axis
+    area   : (n,) pixels
+    """
+
+    labels: Ints
+    centre: Floats
+    axis: Floats
+    length: Floats
+    width: Floats
+    area: Floats
+
+    @property
+    def is_dash(self) -> Bools:
+        """(n,) clearly longer than wide."""
+        return np.asarray(self.length > 1.7 * self.width)
+
+
+def without_clutter(mask: Bools) -> Bools:
+    """The ink without small components that are neither dash nor dot of a line.
+
+    mask    : (h, w) ink
+    returns : (h, w), the same array where there is nothing to take away
+    """
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    if count < 3:
+        return mask
+    extent = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+    extent[0] = 0.0
+    largest = float(extent.max())
+    small = extent < SMALL * largest
+    small[0] = False
+    if not small.any():
+        return mask
+    chosen = np.flatnonzero(small)
+    chosen = chosen[np.argsort(-stats[chosen, cv2.CC_STAT_AREA], kind="stable")[:MOST]]
+    parts = _measure(np.asarray(labels, dtype=np.int32), chosen, count)
+    large = np.asarray(mask & ~small[labels])
+    keep = ~small
+    keep[parts.labels] = _belongs(parts, large, pen_width_of(large), LETTER * largest)
+    keep[0] = False
+    return np.asarray(keep[labels], dtype=np.bool_)
+
+
+def _measure(labels: NDArray[np.int32], chosen: Ints, count: int) -> Parts:
+    """Moments of the chosen components; a stroke of length l and width w has variances l^2 / 12 and w^2 / 12."""
+    index = np.full(count, -1)
+    index[chosen] = np.arange(len(chosen))
+    ys, xs = np.nonzero(index[labels] >= 0)
+    which = index[labels[ys, xs]]
+    area = np.bincount(which, minlength=len(chosen)).astype(np.float64)
+
+    def mean(values: Floats) -> Floats:
+        return np.bincount(which, weights=values, minlength=len(chosen)) / area
+
+    centre = np.stack([mean(xs.astype(np.float64)), mean(ys.astype(np.float64))], axis=1)
+    dx, dy = xs - centre[which, 0], ys - centre[which, 1]
+    xx, yy, xy = mean(dx * dx) + 1 / 12, mean(dy * dy) + 1 / 12, mean(dx * dy)
+    half, root = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
+    angle = 0.5 * np.arctan2(2 * xy, xx - yy)
+    return Parts(
+        labels=chosen,
+        centre=centre,
+        axis=np.stack([np.cos(angle), np.sin(angle)], axis=1),
+        length=np.sqrt(12 * (half + root)),
+        width=np.sqrt(12 * np.maximum(half - root, 1 / 12)),
+        area=area,
+    )
+
+
+def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float) -> Bools:
+    """(n,) whether each small component is part of a line or too large to be a letter."""
+    dash = parts.is_dash & (parts.width < 2.0 * pen_width + 1.5)
+    near_large = cv2.dilate(large.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    sides = [_ahead(parts, pen_width, sign) & dash[:, None] for sign in (-1.0, 1.0)]
+    met = [_reaches(parts, near_large, pen_width, sign) for sign in (-1.0, 1.0)]
+    ahead = sides[0] | sides[1]
+    paired = (ahead & ahead.T).any(axis=1)
+    between = (sides[0].any(axis=1) | met[0]) & (sides[1].any(axis=1) | met[1])
+    long = parts.length > 4.0 * np.maximum(parts.width, pen_width)
+    linked = dash & (paired | between | (long & (met[0] | met[1])))
+    pointed_at = (ahead & linked[:, None]).sum(axis=0)
+    dot = (parts.length < 3.0 * pen_width + 2.0) & (parts.area > 0.15 * pen_width**2)
+    in_row = _in_row(parts, dot, near_large, pen_width)
+    large_enough = np.hypot(parts.length, parts.width) > letter
+    return np.asarray(linked | (pointed_at >= 2) | (dot & (pointed_at >= 1)) | in_row | large_enough, dtype=np.bool_)
+
+
+def _ahead(parts: Parts, pen_width: float, sign: float) -> Bools:
+    """(n, n) True where j lies straight ahead of i on one side of it, at most a few of i's lengths away."""
+    offset = parts.centre[None, :, :] - parts.centre[:, None, :]
+    along = sign * np.einsum("ijk,ik->ij", offset, parts.axis)
+    across = np.abs(offset[..., 1] * parts.axis[:, None, 0] - offset[..., 0] * parts.axis[:, None, 1])
+    gap = along - 0.5 * (parts.length[:, None] + parts.length[None, :])
+    reach = np.maximum(2.5 * parts.length, 5.0 * pen_width)[:, None]
+    sway = 0.7 * pen_width + 0.5 + 0.08 * along + np.where(parts.is_dash, 0.0, 0.4 * parts.width)[None, :]
+    similar = parts.is_dash[None, :] <= (parts.width[None, :] < 2.5 * parts.width[:, None] + pen_width)
+    near = (along > 0) & (gap > -0.6 * parts.length[None, :]) & (gap < reach) & (across < sway)
+    return np.asarray(near & similar, dtype=np.bool_)
+
+
+def _reaches(parts: Parts, near_large: Bools, pen_width: float, sign: float) -> Bools:
+    """(n,) a large component lies straight ahead on one side, at most about a length away."""
+    steps = np.linspace(0.0, 1.0, 16)
+    reach = np.maximum(1.2 * parts.length, 3.0 * pen_width)[:, None]
+    distance = 0.5 * parts.length[:, None] + 1.0 + steps[None, :] * reach
+    points = parts.centre[:, None, :] + sign * distance[..., None] * parts.axis[:, None, :]
+    return np.asarray(_hit(near_large, points).any(axis=1), dtype=np.bool_)
+
+
+def _hit(mask: Bools, points: Floats) -> Bools:
+    """(...) whether the mask is set at points (..., 2); outside of the picture it is not."""
+    h, w = mask.shape
+    xs, ys = np.round(points[..., 0]).astype(int), np.round(points[..., 1]).astype(int)
+    inside = (xs >= 0) & (xs < w) & (ys >= 0) & (ys < h)
+    return np.asarray(inside & mask[np.clip(ys, 0, h - 1), np.clip(xs, 0, w - 1)], dtype=np.bool_)
+
+
+def _in_row(parts: Parts, dot: Bools, near_large: Bools, pen_width: float) -> Bools:
+    """(n,) the dot lies in a row: two alike dots, and beyond either one the next dot or the drawing itself."""
+    n = len(parts.area)
+    offset = parts.centre[None, :, :] - parts.centre[:, None, :]
+    distance = np.hypot(offset[..., 0], offset[..., 1])
+    alike = parts.area[None, :] < 3.0 * parts.area[:, None]
+    gap = 3.5 * parts.length[:, None] + 1.5 * pen_width + 2.0
+    near = alike & alike.T & (distance > 0) & (distance < gap) & dot[:, None] & dot[None, :]
+    first, second = np.nonzero(near)
+    if len(first) == 0:
+        return np.zeros(n, dtype=np.bool_)
+    step = offset[second, first]  # from the second dot to the first, and on by as much
+    on = parts.centre[first][:, None, :] + np.array([0.5, 0.75, 1.0, 1.25])[None, :, None] * step[:, None, :]
+    goes_on = _hit(near_large, on).any(axis=1)
+    beyond = parts.centre[first] + step
+    error = np.hypot(*(parts.centre[None, :, :] - beyond[:, None, :]).transpose(2, 0, 1))
+    next_dot = dot[None, :] & alike[first] & (error < 0.35 * np.hypot(step[:, 0], step[:, 1])[:, None])
+    goes_on |= next_dot.any(axis=1)
+    chain = np.zeros((n, n), dtype=np.bool_)
+    chain[first, second] = goes_on
+    chain &= chain.T
+    inner = chain.any(axis=1)
+    ends = (next_dot & chain[first, second][:, None]).any(axis=0)
+    return np.asarray(inner | ends, dtype=np.bool_)

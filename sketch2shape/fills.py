@@ -1,0 +1,109 @@
+"""Fills: shaded faces become their outlines.
+
+A filled face is wide where a stroke is narrow. An opening keeps what is wide; what rises above it are the outlines
+drawn on or around the fill; where two fills meet, or a fill meets the paper, without a drawn line, their border is the
+ink. Strokes can be as wide as faces are elsewhere (icons), so wide ink as dark as everything else that encloses
+several faces stays a stroke.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Gray = NDArray[np.uint8]
+
+WIDE = 0.03
+"""Ink wider than this share of the picture's diagonal may be a fill."""
+NARROW = 0.02
+"""Strokes on and around fills are narrower than this share of the diagonal."""
+BLOT = 3.0
+"""Wide ink smaller than this many of the boxes that tell what is wide is a blot, not a face."""
+PALER = 0.8
+"""Wide ink below this share of the darkest ink's contrast is a fill."""
+
+
+def without_fills(contrast: Gray, floor: float) -> Gray:
+    """Contrast with every fill replaced by its outline.
+
+    contrast : (h, w) uint8, see `Ground`
+    floor    : contrast below which nothing is ink
+    returns  : (h, w) uint8; `contrast` itself where nothing is filled
+    """
+    diagonal = float(np.hypot(*contrast.shape))
+    core = _wide_core(contrast, floor, diagonal)
+    if not core.any() or _are_thick_strokes(contrast, core):
+        return contrast
+    level = _fill_level(contrast, core, floor, NARROW * diagonal)
+    strokes = _u8(cv2.subtract(contrast, level))
+    borders = _borders(level, strokes, floor, diagonal)
+    return np.maximum(strokes, borders)
+
+
+def _u8(array: NDArray[np.generic]) -> Gray:
+    return np.asarray(array, dtype=np.uint8)
+
+
+def _box(size: float) -> Gray:
+    side = 2 * (int(size) // 2) + 1
+    return np.ones((side, side), np.uint8)
+
+
+def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool_]:
+    """(h, w) centres of large boxes that fit into the ink, except in blots: thick corners, arrow heads, vertex dots."""
+    box = _box(WIDE * diagonal)
+    core = np.asarray(cv2.erode(contrast, box) > floor, dtype=np.uint8)
+    if not core.any():
+        return core > 0
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(_u8(cv2.dilate(core, box)), connectivity=4)
+    large = stats[:, cv2.CC_STAT_AREA] >= BLOT * box.size
+    large[0] = False
+    return np.asarray(large[labels] & (core > 0), dtype=np.bool_)
+
+
+def _are_thick_strokes(contrast: Gray, core: NDArray[np.bool_]) -> bool:
+    """All wide ink is as dark as the rest and encloses two faces or more, or is long for its width."""
+    darkest = float(np.percentile(contrast[contrast > int(contrast.max()) // 4], 90))
+    if float(np.percentile(contrast[core], 20)) < PALER * darkest:
+        return False
+    solid = np.asarray(contrast > 0.5 * darkest, dtype=np.uint8)
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(solid, connectivity=8)
+    distance = cv2.distanceTransform(solid, cv2.DIST_L2, cv2.DIST_MASK_5)
+    for label in np.unique(labels[core]):
+        x, y, w, h, area = stats[label]
+        part = np.asarray(labels[y : y + h, x : x + w] == label, dtype=np.uint8)
+        width = 2.0 * float((distance[y : y + h, x : x + w] * part).max())
+        if area < 8.0 * width**2 and _holes(part) < 2:
+            return False
+    return True
+
+
+def _holes(part: Gray) -> int:
+    """Number of background areas that a component encloses, larger than specks."""
+    padded = np.pad(1 - part, 1, constant_values=1)
+    _, _, stats, _ = cv2.connectedComponentsWithStats(padded, connectivity=4)
+    return int(np.count_nonzero(stats[1:, cv2.CC_STAT_AREA] > 0.002 * part.size)) - 1
+
+
+def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: float) -> Gray:
+    """The contrast of the fills alone, grown back into their sharp corners as far as the opening can have cut them."""
+    level = _u8(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
+    _, labels = cv2.connectedComponents(np.asarray(level > floor, dtype=np.uint8), connectivity=4)
+    filled = np.zeros(int(labels.max()) + 1, np.bool_)
+    filled[labels[core]] = True
+    level = np.where(filled[labels], level, np.uint8(0))
+    for _ in range(int(narrow) + 2):
+        level = np.minimum(_u8(cv2.dilate(level, np.ones((3, 3), np.uint8))), contrast)
+    return level
+
+
+def _borders(level: Gray, strokes: Gray, floor: float, diagonal: float) -> Gray:
+    """Contrast of the borders between fills that no stroke follows."""
+    edges = _u8(cv2.Canny(level, 2.0 * floor, 4.0 * floor))
+    drawn = np.asarray(strokes > max(floor, 0.3 * float(strokes.max())), dtype=np.uint8)
+    near = cv2.dilate(drawn, _box(NARROW * diagonal))
+    edges[near > 0] = 0
+    step = _u8(cv2.morphologyEx(level, cv2.MORPH_GRADIENT, np.ones((5, 5), np.uint8)))
+    wide = cv2.dilate(edges, np.ones((3, 3), np.uint8)) > 0
+    return np.where(wide, np.maximum(step, np.uint8(2 * min(int(floor), 127))), np.uint8(0))
