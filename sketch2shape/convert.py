@@ -119,9 +119,7 @@ def convert(task: Task) -> Outcome:
         digest = hashlib.sha256(data).hexdigest()
         outcome = _convert_pages(task, data, written)
     except Exception as error:
-        outcome = failure(task, error)
-        if outcome.exit_code != WriteError.exit_code:
-            outcome = _report_failure(task, as_known(error), None, outcome, written)
+        outcome = report_failure(task, error, written=written)
     return replace(outcome, digest=digest, written=written, seconds=time.perf_counter() - begin)
 
 
@@ -155,10 +153,7 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
         result = _reconstruct(picture, task.settings, read_ms)
         _write_all(task, result, written)
     except Exception as error:
-        outcome = failure(task, error)
-        if isinstance(error, WriteError):
-            return outcome
-        return _report_failure(task, as_known(error), size, outcome, written)
+        return report_failure(task, error, size=size, written=written)
     return Outcome(task.name, objects=len(result.objects), confidence=min(float(o.confidence) for o in result.objects))
 
 
@@ -186,18 +181,27 @@ def _write_all(task: Task, result: Result, written: dict[str, str]) -> None:
         _write(output, data, task.overwrite, written)
 
 
-def _report_failure(
-    task: Task, error: Sketch2ShapeError, size: tuple[int, int] | None, outcome: Outcome, written: dict[str, str]
+def report_failure(
+    task: Task,
+    error: BaseException,
+    *,
+    size: tuple[int, int] | None = None,
+    written: dict[str, str] | None = None,
 ) -> Outcome:
-    """Write the report of a failure where one is asked for; if that fails too, the first failure is what counts."""
+    """The outcome of a task that failed; writes its report where one is asked for and can be written.
+
+    size    : (width, height) of the picture, if it could be read
+    written : receives path -> sha256 of the report
+    """
+    outcome = failure(task, error)
+    done: dict[str, str] = {} if written is None else written
+    wanted = () if isinstance(error, WriteError) else [o for o in task.outputs if o.product == "json"]
     try:
-        for output in task.outputs:
-            if output.product == "json":
-                data = encode_report(report(error, source=task.name, size=size))
-                _write(output, data, task.overwrite, written)
+        for output in wanted:
+            _write(output, encode_report(report(as_known(error), source=task.name, size=size)), task.overwrite, done)
     except WriteError as second:
         return replace(outcome, message=f"{outcome.message}; {second.message}")
-    return outcome
+    return replace(outcome, written=done)
 
 
 def _write(output: Output, data: bytes, overwrite: bool, written: dict[str, str]) -> None:

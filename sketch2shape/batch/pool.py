@@ -22,7 +22,7 @@ from types import ModuleType
 from typing import Any, Generic, TypeVar
 
 from sketch2shape.batch.worker import PRELOAD, prepare
-from sketch2shape.convert import Outcome, Task, failure
+from sketch2shape.convert import Outcome, Task, report_failure
 from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError
 
 T = TypeVar("T")
@@ -48,7 +48,7 @@ def run_tasks(
 ) -> Iterator[tuple[Task, Outcome]]:
     """Do tasks in worker processes, in the order in which they finish; a crash or hang fails only its own."""
     for task, value in run_each(tasks, work, jobs=jobs, timeout=timeout, max_memory=max_memory):
-        yield task, failure(task, value) if isinstance(value, Sketch2ShapeError) else value
+        yield task, report_failure(task, value) if isinstance(value, Sketch2ShapeError) else value
 
 
 def run_each(

@@ -2,66 +2,197 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
+import signal
 import sys
+import threading
+import time
 from argparse import Namespace
-from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from sketch2shape.batch.plan import Plan, make_plan, settle
+from sketch2shape.batch.manifest import Manifest, Past, load_past, options_hash
+from sketch2shape.batch.plan import Plan, common_folder, make_plan, settle
 from sketch2shape.batch.pool import run_tasks
+from sketch2shape.batch.progress import Progress, follow
+from sketch2shape.batch.table import check_table, encode_table, show_summary, summary
 from sketch2shape.command import products_of
 from sketch2shape.convert import Outcome, Settings, Task
-from sketch2shape.errors import UsageError, one_line
+from sketch2shape.errors import InterruptedRunError, UsageError
+from sketch2shape.write import FolderLock, exists_error, sweep, write_file
 
 Work = Callable[[Task], Outcome]
 
 _TIMEOUT = 120.0
 _MEMORY = 4 * 2**30
+#: exit code of a batch in which some inputs failed
+_SOME_FAILED = 3
 
 
 def run_batch(arguments: Namespace, settings: Settings, work: Work) -> int:
-    """Plan, work, tell. Returns 0, or 3 if some inputs failed.
+    """Plan, work, tell. Returns 0, 3 if some inputs failed, 130 if it was interrupted.
 
     Raises UsageError, UnreadableError and WriteError before any work starts.
     """
-    plan = make_plan(arguments.inputs, _out(arguments), products_of(arguments))
-    if not arguments.overwrite:
-        plan = settle(plan, versioned=arguments.versioned)
+    out, products = _out(arguments), products_of(arguments)
+    options = options_hash(settings, products)
+    past = load_past(out or common_folder(arguments.inputs))
+    plan = _plan(arguments, out, products, past, options)
     if arguments.dry_run:
-        for item in plan.items:
-            for output in item.outputs:
-                sys.stdout.write(f"{item.path}\t{output.path}\n")
+        sys.stdout.writelines(f"{item.path}\t{o.path}\n" for item in plan.items for o in item.outputs)
         return 0
-    Path(plan.root).mkdir(parents=True, exist_ok=True)
-    counts: Counter[int] = Counter()
-    for task, outcome in run_tasks(
-        _tasks(plan, arguments, settings),
-        work,
-        jobs=arguments.jobs,
-        timeout=arguments.timeout or _TIMEOUT,
-        max_memory=arguments.max_memory or _MEMORY,
-    ):
-        counts[outcome.exit_code] += 1
-        if outcome.message is not None:
-            sys.stderr.write(one_line(task.source, outcome.message, outcome.remedy or "") + "\n")
-    return 3 if set(counts) - {0} else 0
+    _make_root(plan.root)
+    with FolderLock(plan.root):
+        batch = _Batch(plan, arguments, settings, work)
+        if arguments.resume:
+            batch.take_over(past)
+        return batch.run(Manifest(plan, options))
 
 
 def _out(arguments: Namespace) -> str | None:
     """The one output folder. Raises UsageError."""
-    if not arguments.output:
-        return None
-    out = arguments.output[0]
+    if "-" in arguments.inputs or "-" in arguments.output:
+        raise UsageError("standard input and output are for a single picture", remedy="-o FOLDER")
     if len(arguments.output) > 1:
         raise UsageError("several inputs take one -o", remedy="-o FOLDER, and --format for several formats")
-    if out == "-" or "-" in arguments.inputs:
-        raise UsageError("standard input and output are for a single picture", remedy="-o FOLDER")
-    if Path(out).exists() and not Path(out).is_dir():
+    if arguments.report:
+        check_table(arguments.report)
+        if os.path.lexists(arguments.report) and not (arguments.overwrite or arguments.resume):
+            raise exists_error(Path(arguments.report))
+    if not arguments.output:
+        return None
+    out = str(arguments.output[0])
+    if os.path.lexists(out) and not os.path.isdir(out):
         raise UsageError(f"{out} is a file, several inputs need a folder", remedy="-o FOLDER")
-    return str(out)
+    return out
 
 
-def _tasks(plan: Plan, arguments: Namespace, settings: Settings) -> Iterator[Task]:
-    for item in plan.items:
-        yield Task(item.path, item.name, item.outputs, arguments.overwrite, settings)
+def _plan(arguments: Namespace, out: str | None, products: list[str], past: Past, options: str) -> Plan:
+    """The plan; with --resume, inputs that were planned before keep their outputs. Raises as `run_batch`."""
+    plan = make_plan(arguments.inputs, out, products, ours=past.files)
+    if arguments.resume:
+        past.check_options(options)
+        items = tuple(replace(item, outputs=past.planned.get(item.name, item.outputs)) for item in plan.items)
+        return settle(replace(plan, items=items), versioned=arguments.versioned, ours=past.files)
+    return plan if arguments.overwrite else settle(plan, versioned=arguments.versioned)
+
+
+def _make_root(root: str) -> None:
+    from sketch2shape.errors import WriteError
+
+    try:
+        os.makedirs(root, exist_ok=True)
+    except OSError as error:
+        raise WriteError(f"cannot make the folder {root} ({error.strerror})") from None
+
+
+class _Batch:
+    """A planned batch and what has become of its inputs so far."""
+
+    def __init__(self, plan: Plan, arguments: Namespace, settings: Settings, work: Work) -> None:
+        self.plan, self.arguments, self.settings, self.work = plan, arguments, settings, work
+        self.outcomes: dict[str, Outcome] = {}
+        self.begin = time.monotonic()
+
+    def take_over(self, past: Past) -> None:
+        """Keep what an earlier run has done."""
+        for item in self.plan.items:
+            outcome = past.still_done(item)
+            if outcome is not None:
+                self.outcomes[item.name] = outcome
+
+    def run(self, manifest: Manifest) -> int:
+        """Do what is left to do, and tell."""
+        self._sweep()
+        manifest.begin()
+        for outcome in self.outcomes.values():
+            manifest.add(outcome)
+        left = [item for item in self.plan.items if item.name not in self.outcomes]
+        interrupted = False
+        with follow(len(left), quiet=self.arguments.quiet) as progress:
+            self._announce(progress)
+            try:
+                with _terminate_as_interrupt():
+                    self._work_off(manifest, progress)
+            except KeyboardInterrupt:
+                interrupted = True
+            finally:
+                manifest.close()
+        self._sweep()
+        if len(self.outcomes) == len(self.plan.items):
+            manifest.finish()
+        self._tell()
+        if interrupted:
+            sys.stderr.write("sketch2shape: interrupted. Try: --resume\n")
+            return InterruptedRunError.exit_code
+        return _SOME_FAILED if any(o.exit_code for o in self._all()) else 0
+
+    def _announce(self, progress: Progress) -> None:
+        if self.arguments.quiet:
+            return
+        if self.outcomes:
+            progress.say(f"{len(self.outcomes)} of {len(self.plan.items)} are done already")
+        if self.plan.renamed:
+            progress.say(f"{self.plan.renamed} inputs share their stem; their outputs carry the full name")
+
+    def _work_off(self, manifest: Manifest, progress: Progress) -> None:
+        run: Any = run_tasks(
+            self._tasks(),
+            self.work,
+            jobs=self.arguments.jobs,
+            timeout=self.arguments.timeout or _TIMEOUT,
+            max_memory=self.arguments.max_memory or _MEMORY,
+        )
+        with contextlib.closing(run):
+            for task, outcome in run:
+                self.outcomes[outcome.name] = outcome
+                manifest.add(outcome)
+                progress.advance(task, outcome)
+                if outcome.exit_code and self.arguments.fail_fast:
+                    return
+
+    def _tasks(self) -> Iterator[Task]:
+        replace_files = self.arguments.overwrite or self.arguments.resume
+        for item in self.plan.items:
+            if item.name not in self.outcomes:
+                yield Task(item.path, item.name, item.outputs, replace_files, self.settings)
+
+    def _sweep(self) -> None:
+        """Remove temporary files that killed workers left in the output folders."""
+        for folder in {os.path.dirname(o.path) for item in self.plan.items for o in item.outputs} | {self.plan.root}:
+            sweep(folder or ".")
+
+    def _all(self) -> list[Outcome]:
+        """An outcome for each input, in the order of the plan."""
+        missing = InterruptedRunError("not started")
+        return [
+            self.outcomes.get(item.name)
+            or Outcome(item.name, InterruptedRunError.exit_code, missing.message, missing.advice)
+            for item in self.plan.items
+        ]
+
+    def _tell(self) -> None:
+        """Write the table and show the summary. Raises WriteError."""
+        if self.arguments.report:
+            data = encode_table(self.arguments.report, zip(self.plan.items, self._all(), strict=True))
+            replace_file = self.arguments.overwrite or self.arguments.resume
+            write_file(self.arguments.report, data, overwrite=replace_file)
+        if not self.arguments.quiet:
+            with contextlib.suppress(OSError):
+                show_summary(summary(self._all(), time.monotonic() - self.begin), sys.stderr)
+
+
+@contextlib.contextmanager
+def _terminate_as_interrupt() -> Iterator[None]:
+    """Let SIGTERM stop the batch as cleanly as Ctrl-C does."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
