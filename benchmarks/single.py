@@ -1,0 +1,109 @@
+"""One drawing in a warm process, beside the least that any such tool must do with its pixels."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from benchmarks import subjects
+from benchmarks.timing import Plot, Report, Table, exponent, in_turn, times
+from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.reconstruct import reconstruct
+
+WORKING = 1_000_000
+"""Pixels to which the floor of a large picture reduces it."""
+
+
+def floor(path: Path) -> None:
+    """Read, Otsu, skeletonize, goodFeaturesToTrack."""
+    from skimage.morphology import skeletonize
+
+    grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+    _, ink = cv2.threshold(grey, 0, 255, cv2.THRESH_BINARY_INV | cv2.THRESH_OTSU)
+    skeletonize(ink > 0)
+    cv2.goodFeaturesToTrack(grey, 200, 0.05, 5)
+
+
+def large_floor(path: Path) -> None:
+    """Decode, Otsu, resize to a working size."""
+    grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+    cv2.threshold(grey, 0, 255, cv2.THRESH_BINARY_INV | cv2.THRESH_OTSU)
+    factor = (WORKING / grey.size) ** 0.5
+    cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+
+
+def ours(path: Path) -> str:
+    """Reconstruct; says what became of it."""
+    try:
+        return f"{len(reconstruct(path).objects)} found"
+    except Sketch2ShapeError as error:
+        return type(error).__name__
+
+
+def warm(scratch: Path, quick: bool) -> Report:
+    """Median and 95th percentile over the floor; a photo; where the time goes."""
+    files = subjects.small_drawings(scratch, 30 if quick else 108)
+    ours(files[0])
+    floor(files[0])
+    rows, floors, mine = [], [], []
+    stages: dict[str, list[float]] = {}
+    for path in files:
+        t = in_turn({"floor": lambda p=path: floor(p), "ours": lambda p=path: ours(p)}, 1 if quick else 3)
+        floors.append(t["floor"])
+        mine.append(t["ours"])
+        try:
+            for stage, ms in reconstruct(path).timings_ms.items():
+                stages.setdefault(stage, []).append(ms)
+        except Sketch2ShapeError:
+            pass
+    base = float(np.median(floors))
+    rows.append(["median of `reconstruct`", times(float(np.median(mine)) / base), "2.5"])
+    rows.append(["95th percentile", times(float(np.percentile(mine, 95)) / base), "8"])
+    photo = subjects.photo(scratch, (4000, 3000))
+    t = in_turn({"floor": lambda: large_floor(photo), "ours": lambda: ours(photo)}, 3)
+    rows.append(["photo of 12 megapixels, over its own decode + Otsu + resize", times(t["ours"] / t["floor"]), "2"])
+    words = f"Over read + Otsu + skeletonize + goodFeaturesToTrack on the same {len(files)} drawings of 640 x 480."
+    tables = [Table("One drawing in a warm process", words, ["", "times the floor", "goal"], rows)]
+    total = sum(float(np.sum(v)) for v in stages.values())
+    if total:
+        share = [[name, f"{100 * float(np.sum(v)) / total:.0f}"] for name, v in stages.items()]
+        tables.append(Table("Where the time goes", "Of all time in the stages.", ["stage", "%"], share))
+    return Report(tables)
+
+
+def growth(scratch: Path, quick: bool) -> Report:
+    """Time against vertices and against pixels, with fitted exponents."""
+    counts = (3, 6, 12, 24, 50) if quick else (3, 6, 12, 24, 50, 100, 200)
+    sizes = (0.1, 0.3, 1.0, 3.0, 10.0) if quick else (0.1, 0.3, 1.0, 3.0, 10.0, 20.0)
+    rows, plots = [], []
+    sets = (
+        ("vertices a face", subjects.of_vertices(scratch, counts), 2.0),
+        ("megapixels", subjects.of_pixels(scratch, sizes), 1.1),
+    )
+    for label, files, goal in sets:
+        x, y, said = [], [], []
+        for number, path in files.items():
+            y.append(in_turn({"ours": lambda p=path: ours(p)}, 1 if quick else 3)["ours"])
+            x.append(float(number))
+            said.append(ours(path))
+        relative = [v / y[0] for v in y]
+        rows.append([label, f"{x[0]:g} to {x[-1]:g}", f"{exponent(x, y):.2f}", f"{goal:g}", ", ".join(said)])
+        plots.append(Plot(label.split()[0], label, f"time over that of {x[0]:g}", {"sketch2shape": (x, relative)}))
+    words = "Slope of the straight line through log time against log size; what each picture gave."
+    return Report([Table("Growth", words, ["against", "range", "exponent", "goal", "answers"], rows)], plots)
+
+
+def hard(scratch: Path, _quick: bool) -> Report:
+    """Pictures made to explode a search."""
+    rows = []
+    for name, path in subjects.hard(scratch).items():
+        start = time.perf_counter()
+        said = ours(path)
+        spent = time.perf_counter() - start
+        t = in_turn({"floor": lambda p=path: floor(p)}, 1)
+        rows.append([name, times(spent / t["floor"]), "yes" if spent < 1 else f"no, {spent:.1f} s", said])
+    words = "1600 x 1200 pixels each; over the floor of the same file; first call."
+    return Report([Table("Hard pictures", words, ["", "times the floor", "within 1 s", "answer"], rows)])

@@ -1,0 +1,101 @@
+"""The pictures that are timed: ordinary drawings, large ones, ones with many vertices, hard ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Floats
+from sketch2shape.synthetic.drawing import draw
+from sketch2shape.synthetic.hand import RULER
+from sketch2shape.synthetic.negatives import NEGATIVES
+from sketch2shape.synthetic.pens import Pen
+
+ROOT = Path(__file__).resolve().parent.parent
+BENCH = ROOT.parent / "shared" / "bench" / "drawings"
+SMALL = ("clean_wire_oblique", "clean_wire_axono", "clean_dashed_oblique", "clean_removed_axono", "clean_wire_persp")
+
+
+def small_drawings(scratch: Path, most: int) -> list[Path]:
+    """Drawings of 640 x 480: the independent ones beside the repository if there, else fresh ones."""
+    found = [p for p in sorted(BENCH.glob("*/*.png")) if _size(p) == (640, 480) and p.parent.name != "negative"]
+    if not found:
+        names = [*SMALL, "hand_wire", "hand_dashed", "hand_removed", "taper_wire", "thin_wire"]
+        found = [draw(name, 31, i).save(scratch / "small") for name in names for i in range(6)]
+    return found[:: max(len(found) // most, 1)][:most]
+
+
+def _size(path: Path) -> tuple[int, int]:
+    from PIL import Image
+
+    with Image.open(path) as picture:
+        return picture.size
+
+
+def wire(ring: Floats, shift: Floats, size: tuple[int, int], pen: float) -> NDArray[np.uint8]:
+    """(h, w) grey wireframe of a prism: ring (n, 2) in 0..1 of the sheet's shorter side, the back face shifted."""
+    canvas = np.full(size[::-1], 255, np.uint8)
+    middle, scale = np.array(size) / 2, min(size)
+    f1 = (ring - shift / 2) * scale + middle
+    f2 = f1 + shift * scale
+    starts, ends = np.vstack([f1, f2, f1]), np.vstack([np.roll(f1, -1, 0), np.roll(f2, -1, 0), f2])
+    for a, b in zip(np.round(starts * 16).astype(int), np.round(ends * 16).astype(int), strict=True):
+        cv2.line(canvas, a.tolist(), b.tolist(), 0, max(round(pen), 1), cv2.LINE_AA, 4)
+    return canvas
+
+
+def gear(n: int) -> Floats:
+    """(n, 2) ring of n vertices that alternate between two radii where n allows it."""
+    t = 2 * np.pi * np.arange(n) / n + 0.3
+    radius = np.where(np.arange(n) % 2, 0.3, 0.36) if n % 2 == 0 and n > 6 else 0.34
+    ring: Floats = np.c_[np.cos(t), np.sin(t)] * np.reshape(radius, (-1, 1))
+    return ring
+
+
+def of_vertices(folder: Path, counts: Sequence[int]) -> dict[int, Path]:
+    """Wireframes with n vertices a face, all on sheets of 2400 x 1800."""
+    folder.mkdir(parents=True, exist_ok=True)
+    out = {}
+    for n in counts:
+        out[n] = folder / f"vertices_{n}.png"
+        cv2.imwrite(str(out[n]), wire(gear(n), np.array([0.23, -0.11]), (2400, 1800), 2))
+    return out
+
+
+def of_pixels(folder: Path, megapixels: Sequence[float]) -> dict[float, Path]:
+    """The same house on sheets of different size, the pen in proportion."""
+    folder.mkdir(parents=True, exist_ok=True)
+    house = np.array([[-0.3, 0.3], [0.2, 0.3], [0.2, -0.05], [-0.05, -0.3], [-0.3, -0.05]])
+    out = {}
+    for mp in megapixels:
+        w = round(np.sqrt(mp * 1e6 * 4 / 3))
+        out[mp] = folder / f"pixels_{mp:g}.png"
+        cv2.imwrite(str(out[mp]), wire(house, np.array([0.21, -0.13]), (w, round(w * 3 / 4)), w / 320))
+    return out
+
+
+def photo(folder: Path, size: tuple[int, int]) -> Path:
+    """A phone's photo of a drawing at full size, JPEG."""
+    folder.mkdir(parents=True, exist_ok=True)
+    pixels = cv2.resize(draw("photo_wire", 5, 1).pixels, size, interpolation=cv2.INTER_CUBIC)
+    out = folder / f"photo_{size[0]}.jpg"
+    cv2.imwrite(str(out), pixels[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 90])
+    return out
+
+
+def hard(folder: Path) -> dict[str, Path]:
+    """A page of text, dense scribble, a texture of thousands of corners: all to be refused, and fast."""
+    folder.mkdir(parents=True, exist_ok=True)
+    out, rng = {}, np.random.default_rng(1)
+    size, pen = (1600, 1200), Pen(2.0)
+    for name in ("page_of_text", "scribble", "texture", "zigzag", "network", "noise"):
+        ink = NEGATIVES[name](size, pen, RULER, rng)
+        if name in ("scribble", "texture"):  # three layers make them dense
+            ink = np.maximum.reduce([ink, *(NEGATIVES[name](size, pen, RULER, rng) for _ in range(2))])
+        out[name.replace("_", " ")] = folder / f"{name}.png"
+        cv2.imwrite(str(folder / f"{name}.png"), np.round(255 * (1 - ink)).astype(np.uint8))
+    return out
