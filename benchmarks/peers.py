@@ -22,16 +22,12 @@ def tracers(scratch: Path, quick: bool) -> Report:
         "floor": lambda: [floor(p) for p in files],
         "sketch2shape": lambda: [ours(p) for p in files],
     }
-    calls |= {
-        name: call
-        for name, call in (("potrace", _potrace(files, scratch)), ("vtracer", _vtracer(files, scratch)))
-        if call
-    }
+    peers = {"potrace": _potrace(files, scratch), "vtracer": _vtracer(files, scratch)}
+    calls |= {name: call for name, call in peers.items() if call}
     t = in_turn(calls, 1 if quick else 3)
-    rows = [
-        [name, times(t[name] / t["floor"]), times(t[name] / t["sketch2shape"])] for name in calls if name != "floor"
-    ]
-    absent = [name for name in ("potrace", "vtracer") if name not in calls]
+    named = [name for name in calls if name != "floor"]
+    rows = [[name, times(t[name] / t["floor"]), times(t[name] / t["sketch2shape"])] for name in named]
+    absent = [name for name in peers if name not in calls]
     words = (
         f"All {len(files)} drawings one after the other. potrace gets them thresholded (not timed) and writes SVG, one"
         " process for all; vtracer reads and writes files in this process. Neither finds the object."

@@ -135,6 +135,7 @@ def measure(case: Case) -> Case:
     """Run the tool on one picture and score what it says."""
     from sketch2shape.errors import Sketch2ShapeError
     from sketch2shape.reconstruct import reconstruct
+    from sketch2shape.report import report
 
     start = time.perf_counter()
     found: Case = {"status": "ok", "message": "", "answers": []}
@@ -147,22 +148,9 @@ def measure(case: Case) -> Case:
         found |= {"status": "crashed", "message": f"{type(error).__name__}: {error}"}
     found["ms"] = (time.perf_counter() - start) * 1e3
     if result is not None:
-        found["answers"] = [answer_of(o, s) for o, s in zip(result.objects, result.solids, strict=True)]
+        objects = report(result)["objects"]
+        found["answers"] = [o | {"mesh_ok": mesh_ok(s)} for o, s in zip(objects, result.solids, strict=True)]
     return case | found | scored(case["truth"], found)
-
-
-def answer_of(found: Any, solid: Any) -> Case:
-    """A reported object as plain data."""
-    holes = [{"f1": h.f1.tolist(), "f2": h.f2.tolist()} for h in found.holes]
-    return {
-        "f1": found.f1.tolist(),
-        "f2": found.f2.tolist(),
-        "holes": holes,
-        "confidence": float(found.confidence),
-        "family": solid.projection.family,
-        "solid": {"vertices": solid.vertices.tolist()},
-        "mesh_ok": mesh_ok(solid),
-    }
 
 
 def mesh_ok(solid: Any) -> bool:
