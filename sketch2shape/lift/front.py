@@ -22,9 +22,19 @@ def choose_front(obj: TwoFaceObject) -> TwoFaceObject:
     if abs(size2 - size1) > slack * max(size1, size2):
         return obj if size2 < size1 else obj.swapped()
     d = (obj.f2 - obj.f1).mean(axis=0)
-    upright = abs(d[0]) <= 0.02 * np.hypot(*d) + 1.5 * obj.noise / np.sqrt(len(obj.f1))
+    upright = _is_plumb(d, 0.02) or (_is_plumb(d, 0.15) and not _has_plumb_edge(obj.f1))
     behind = d[1] > 0 if upright else d[1] < 0 or (d[1] == 0 and d[0] > 0)
     return obj if behind else obj.swapped()
+
+
+def _is_plumb(vector: Floats, slack: float) -> bool:
+    """Is a vector drawn vertical, to within this sine?"""
+    return bool(abs(vector[0]) <= slack * np.hypot(*vector))
+
+
+def _has_plumb_edge(ring: Floats) -> bool:
+    edges = np.roll(ring, -1, axis=0) - ring
+    return any(_is_plumb(edge, 0.05) for edge in edges)
 
 
 def _size(ring: Floats) -> float:

@@ -22,7 +22,7 @@ _SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 235))
 CABINET = 0.5
 
 #: log odds of an oblique drawing before anything is seen: most hand-made drawings of prisms are
-_OBLIQUE_PRIOR = 1.0
+_OBLIQUE_PRIOR = 1.2
 
 
 @dataclass(frozen=True)
@@ -112,14 +112,31 @@ def _axonometric_odds(
 ) -> Floats:
     maps = axonometric_maps(slants, d)
     shapes = np.einsum("mi,gij->gmj", face, maps)
-    odds = score(relations, shapes, maps, noise) + _slant_prior(slants)
+    odds = score(relations, shapes, maps, noise) + _view_prior(slants, d)
     return odds + _gravity_odds(relations, shapes, maps, face[: sizes[0]], d, noise)
 
 
-def _slant_prior(slants: Floats) -> Floats:
-    """Objects are shown from where their faces can be seen: rarely head-on, rarely edge-on."""
-    prior: Floats = -0.5 * ((np.rad2deg(slants) - 48.0) / 20.0) ** 2
-    return prior
+def _view_prior(slants: Floats, d: Floats) -> Floats:
+    """Log density of a slant against a uniform one.
+
+    Objects are shown from where their faces can be seen, rarely head-on, rarely edge-on; and, if d is not upright, from
+    somewhat above or below: the vertical is not much foreshortened.
+    """
+
+    def raw(angles: Floats) -> Floats:
+        prior: Floats = -0.5 * ((np.rad2deg(angles) - 48.0) / 20.0) ** 2
+        if not _is_upright(d):
+            plumb = axonometric_maps(angles, d)[:, 1]
+            elevation = np.rad2deg(np.arccos(np.clip(1.0 / np.linalg.norm(plumb, axis=1), 0.0, 1.0)))
+            prior = prior - 0.5 * ((elevation - 33.0) / 14.0) ** 2
+        return prior
+
+    return raw(slants) - float(np.log(np.exp(raw(_SLANTS)).mean()))
+
+
+def _is_upright(d: Floats) -> bool:
+    """Is the connecting vector drawn vertical?"""
+    return bool(abs(d[0]) < 0.1 * np.hypot(*d))
 
 
 def _isometric_odds(relations: Relations, face: Floats, d: Floats, noise: float) -> float:
@@ -132,15 +149,16 @@ def _isometric_odds(relations: Relations, face: Floats, d: Floats, noise: float)
             for other in np.deg2rad([-30.0, 30.0]):
                 if other != axis:
                     off = np.minimum(off, between(angle[0], other))
-    return float(log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.4, np.pi / 2).max())
+    belief = np.where(relations.edges > 1, 0.4, 0.1)
+    return float(log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), belief, np.pi / 2).max())
 
 
 def _gravity_odds(relations: Relations, shapes: Floats, maps: Floats, outer: Floats, d: Floats, noise: float) -> Floats:
     """Paper is held upright: what is drawn vertical is vertical, and the base it stands on is at right angles to it.
 
-    Says nothing if d itself is vertical. Includes a mild prior on the height from which things are seen.
+    Says nothing if d itself is vertical.
     """
-    if abs(d[0]) < 0.1 * np.hypot(*d):
+    if _is_upright(d):
         return np.zeros(len(shapes))
     plumb = maps[:, 1]
     angle, spread = bearings(relations, shapes, maps, noise)
@@ -150,8 +168,7 @@ def _gravity_odds(relations: Relations, shapes: Floats, maps: Floats, outer: Flo
     weight = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
     weight *= np.where(_rests(relations, outer), 1.0, 0.25)
     chance = 0.2 + 0.8 * density @ (weight / weight.sum()) * np.pi
-    elevation = np.rad2deg(np.arccos(np.clip(1.0 / np.linalg.norm(plumb, axis=1), 0.0, 1.0)))
-    odds: Floats = np.log(chance) - 0.5 * ((elevation - 33.0) / 14.0) ** 2
+    odds: Floats = np.log(chance)
     return odds
 
 
@@ -172,6 +189,6 @@ def _level_odds(relations: Relations, face: Floats, noise: float) -> float:
     """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew."""
     angle, spread = bearings(relations, face[None], np.eye(2)[None], noise)
     off = between(angle[0], np.zeros(1))
-    exact = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.75, np.pi / 2)
-    askew = log_odds(off, np.hypot(spread[0], np.deg2rad(4.0)), 0.75, np.pi / 2)
+    exact = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.88, np.pi / 2)
+    askew = log_odds(off, np.hypot(spread[0], np.deg2rad(4.0)), 0.88, np.pi / 2)
     return float(max(exact.max(), askew.max() - 0.7))

@@ -77,6 +77,7 @@ def perspective_shape(drawing: Drawing) -> Shape | None:
         "focal_px": round(float(focal[best]), 1),
         "principal_point": [round(float(c), 1) for c in centre[best]],
         "vanishing_point": _finite(drawing.relation.centre),
+        "log_odds": round(float(odds[best]), 2),
         "level_line_of_sight": best >= len(_FOCALS),
         "fit_rms_px": round(float(np.sqrt(rss[best] / (2.0 * first.size))), 3),
     }

@@ -19,6 +19,9 @@ from sketch2shape.model import Floats, Ints
 #: least width of a relation's density, radians: drawings are rounded to pixels even when nothing else is wrong
 _FLOOR = np.deg2rad(0.25)
 
+#: part of all faces that have no special angles
+_IRREGULAR = 0.3
+
 #: angle between adjacent edges, prior odds that such an angle was meant
 _ANGLES = ((90.0, 0.45), (60.0, 0.08), (45.0, 0.08), (72.0, 0.03), (30.0, 0.03))
 
@@ -68,6 +71,8 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     corner = {frozenset(p) for p in zip(label[_previous(sizes)].tolist(), label.tolist(), strict=True)}
     adjacent = np.array([frozenset(p) in corner for p in zip(first.tolist(), second.tolist(), strict=True)], float)
     axes, belief = _symmetries(shape, sizes[0], noise * _stretch(shape, drawn))
+    if k == 2 and sizes[0] == 4:  # a rectangle's symmetries and a rhombus's say again what its edges say
+        axes, belief = axes[:0], belief[:0]
     sides = np.zeros((len(start), m))
     rows = np.arange(len(start))
     sides[rows, finish], sides[rows, start] = 1.0, -1.0
@@ -132,7 +137,8 @@ def _angle_odds(relations: Relations, angle: Floats, spread: Floats) -> Floats:
     # many pairs of few directions repeat one another: their evidence grows with the number of directions, not of pairs
     share = 2.0 / max(angle.shape[1] - 1.0, 2.0)
     total: Floats = share * np.log(left + odds).sum(axis=1)
-    return total
+    # some faces are not made of special angles at all
+    return np.logaddexp(np.log(1.0 - _IRREGULAR) + total, np.log(_IRREGULAR))
 
 
 def _symmetry_odds(relations: Relations, shapes: Floats, maps: Floats, noise: float) -> Floats:
@@ -162,7 +168,7 @@ def _length_odds(relations: Relations, shapes: Floats, maps: Floats, noise: floa
     spread = noise * np.sqrt(2.0) * stretch[:, None] / long
     i, j = np.triu_indices(long.shape[1], 1)
     width = np.sqrt(spread[:, i] ** 2 + spread[:, j] ** 2 + 0.005**2)
-    odds = log_odds(np.log(long[:, i] / long[:, j]), width, 0.08, 3.0)
+    odds = log_odds(np.log(long[:, i] / long[:, j]), width, 0.05, 3.0)
     total: Floats = odds.sum(axis=1) / (long.shape[1] - 1.0)
     return total
 

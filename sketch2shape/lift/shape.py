@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from sketch2shape.lift.face import centroid
-from sketch2shape.model import Floats
+from sketch2shape.model import Floats, Ints
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,7 @@ class Shape:
     free      : was the depth a mere default?
     evidence  : numbers for the report
     warnings  : what had to be assumed
+    order     : (2m,) number of each vertex in the object, None if they are in its order (see `box`)
     """
 
     family: Literal["oblique", "axonometric", "perspective"]
@@ -39,11 +40,17 @@ class Shape:
     free: bool = False
     evidence: dict[str, Any] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    order: Ints | None = None
 
     @property
     def vertices(self) -> Floats:
-        """(2m, 3) front face, then back face."""
+        """(2m, 3) in the object's order: front face, then back face."""
         middle = centroid(self.flat[: self.sizes[0]])
         back = middle + self.taper * (self.flat - middle)
         plane, normal = self.pose[:2], self.pose[2]
-        return np.concatenate([self.flat @ plane, back @ plane + self.depth * normal]) + self.origin
+        own = np.concatenate([self.flat @ plane, back @ plane + self.depth * normal]) + self.origin
+        if self.order is None:
+            return own
+        vertices = np.empty_like(own)
+        vertices[self.order] = own
+        return vertices

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from sketch2shape.errors import PointsError
+from sketch2shape.lift.box import other_pairs, receding, true_pair
 from sketch2shape.lift.face import centroid, ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
@@ -50,7 +51,7 @@ def lift(
         shape = _mirrored(shape)
     shape = measured(shape, options)
     vertices = shape.vertices
-    axes = own_axes(vertices[: len(shape.flat)], shape.pose[2] * np.sign(shape.depth or 1.0), shape.sizes)
+    axes = own_axes(vertices[: len(shape.flat)], _through(vertices), shape.sizes)
     if options.up is not None:
         vertices, axes = upright(vertices, axes, options.up)
     evidence = dict(shape.evidence)
@@ -66,9 +67,9 @@ def _read(drawing: Drawing, options: LiftOptions) -> Shape:
     if problem:
         return _default(drawing, options, problem)
     kind, evidence = kind_of(drawing)
-    shape = None
+    shape: Shape | None = None
     if kind == "converging" and options.projection in ("auto", "perspective"):
-        shape = perspective_shape(drawing)
+        shape = _converging(drawing)
         kind = "parallel" if shape is None else kind
     if shape is None and kind == "scaled":
         shape = _scaled(drawing, options)
@@ -84,16 +85,38 @@ def _read(drawing: Drawing, options: LiftOptions) -> Shape:
 def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     """Oblique or axonometric, whichever is more likely; a frustum if `taper` is not 1."""
     face, d = _mean_face(drawing, taper)
-    flat = read_oblique(face, drawing.sizes, drawing.noise)
-    slanted = read_axonometric(face, drawing.sizes, d, drawing.noise)
+    noise, sizes = drawing.noise, drawing.sizes
+    pair, order = true_pair(drawing) if taper == 1.0 else (drawing, None)
+    flat = read_oblique(_mean_face(pair, taper)[0], sizes, noise)
+    slanted = read_axonometric(face, sizes, d, noise)
     odds = flat.odds - slanted.odds
     evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2)}
     oblique = odds >= 0 if options.projection not in ("oblique", "axonometric") else options.projection == "oblique"
-    if oblique:
-        shape = oblique_shape(face, drawing.sizes, d, options.depth_ratio)
+    if not oblique:
+        shape = axonometric_shape(face, sizes, d, slanted.slant)
+    elif order is None:
+        shape = oblique_shape(face, sizes, d, options.depth_ratio)
     else:
-        shape = axonometric_shape(face, drawing.sizes, d, slanted.slant)
+        pair, swapped = receding(pair, d)
+        order = np.roll(order, 4) if swapped else order
+        side_face, back = _mean_face(pair, 1.0)
+        shape = oblique_shape(side_face, sizes, back, options.depth_ratio)
+        shape = replace(shape, order=order)
     return replace(shape, taper=taper, evidence={**evidence, **shape.evidence})
+
+
+def _converging(drawing: Drawing) -> Shape | None:
+    """A prism in perspective. A box is read by the pair of sides that faces the viewer, else by the likeliest one."""
+    readings = [(perspective_shape(drawing), np.arange(2 * len(drawing.first)))]
+    for pair, order in other_pairs(drawing):
+        if kind_of(pair)[0] == "scaled":
+            return replace(facing_shape(pair), order=order)
+        readings.append((perspective_shape(pair), order))
+    likely = [(shape, order) for shape, order in readings if shape is not None]
+    if not likely:
+        return None
+    shape, order = max(likely, key=lambda r: float(r[0].evidence["log_odds"]))
+    return replace(shape, order=order)
 
 
 def _scaled(drawing: Drawing, options: LiftOptions) -> Shape:
@@ -149,3 +172,10 @@ def _mirrored(shape: Shape) -> Shape:
     pose = shape.pose * flip
     pose[2] *= -1.0
     return replace(shape, pose=pose, origin=shape.origin * flip, depth=-shape.depth)
+
+
+def _through(vertices: Floats) -> Floats:
+    """(3,) from the middle of the front face to the middle of the back face."""
+    half = len(vertices) // 2
+    between: Floats = vertices[half:].mean(axis=0) - vertices[:half].mean(axis=0)
+    return between
