@@ -14,12 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ints
-from sketch2shape.pen import pen_width_of
+from sketch2shape.pen import rough_pen_width
+
+Gray = NDArray[np.uint8]
 
 SMALL = 0.12
 """Components up to this share of the largest one's diagonal are looked at."""
 LETTER = 0.09
 """Letters and lone dashes above this share are kept: they may be a small hole or a short edge."""
+FAINT = 0.4
+"""Short components with less than this share of the usual contrast are noise."""
 MOST = 700
 """Small components that are compared with each other, the largest first; further ones are specks."""
 
@@ -33,6 +37,7 @@ class Parts:
     axis   : (n, 2) unit vector along it
     length, width : (n,) extent along and across the axis
     area   : (n,) pixels
+    peak   : (n,) strongest contrast
     """
 
     labels: Ints
@@ -41,20 +46,34 @@ class Parts:
     length: Floats
     width: Floats
     area: Floats
+    peak: Floats
 
     @property
     def is_dash(self) -> Bools:
         """(n,) clearly longer than wide."""
-        return np.asarray(self.length > 1.7 * self.width)
+        return np.asarray(self.length > 1.5 * self.width)
+
+    @property
+    def is_disc(self) -> Bools:
+        """(n,) round and full."""
+        return np.asarray((self.length < 1.3 * self.width) & (self.area > 0.7 * self.length * self.width))
+
+    def only(self, chosen: Bools) -> Parts:
+        """Some of the components."""
+        return Parts(**{name: values[chosen] for name, values in vars(self).items()})
 
 
-def without_clutter(mask: Bools) -> Bools:
+def without_clutter(mask: Bools, contrast: Gray, *, noisy: bool = False) -> Bools:
     """The ink without small components that are neither dash nor dot of a line.
 
-    mask    : (h, w) ink
-    returns : (h, w), the same array where there is nothing to take away
+    mask     : (h, w) ink
+    contrast : (h, w) uint8, how dark the ink is
+    noisy    : short pale components are noise
+    returns  : (h, w), the same array where there is nothing to take away
     """
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    count, labels, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
+        mask.astype(np.uint8), 8, cv2.CV_32S, cv2.CCL_GRANA
+    )
     if count < 3:
         return mask
     extent = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
@@ -66,17 +85,21 @@ def without_clutter(mask: Bools) -> Bools:
         return mask
     chosen = np.flatnonzero(small)
     chosen = chosen[np.argsort(-stats[chosen, cv2.CC_STAT_AREA], kind="stable")[:MOST]]
-    parts = _measure(np.asarray(labels, dtype=np.int32), chosen, count)
     large = np.asarray(mask & ~small[labels])
+    pen_width = rough_pen_width(large)
+    parts = _measure(np.asarray(labels, dtype=np.int32), chosen, contrast)
+    if noisy:
+        usual = float(np.percentile(contrast[large], 75))
+        parts = parts.only((parts.peak > FAINT * usual) | (parts.length > 2.5 * pen_width))
     keep = ~small
-    keep[parts.labels] = _belongs(parts, large, pen_width_of(large), LETTER * largest)
+    keep[parts.labels] = _belongs(parts, large, pen_width, LETTER * largest, noisy)
     keep[0] = False
     return np.asarray(keep[labels], dtype=np.bool_)
 
 
-def _measure(labels: NDArray[np.int32], chosen: Ints, count: int) -> Parts:
+def _measure(labels: NDArray[np.int32], chosen: Ints, contrast: Gray) -> Parts:
     """Moments of the chosen components; a stroke of length l and width w has variances l^2 / 12 and w^2 / 12."""
-    index = np.full(count, -1)
+    index = np.full(int(labels.max()) + 1, -1)
     index[chosen] = np.arange(len(chosen))
     ys, xs = np.nonzero(index[labels] >= 0)
     which = index[labels[ys, xs]]
@@ -88,6 +111,8 @@ def _measure(labels: NDArray[np.int32], chosen: Ints, count: int) -> Parts:
     centre = np.stack([mean(xs.astype(np.float64)), mean(ys.astype(np.float64))], axis=1)
     dx, dy = xs - centre[which, 0], ys - centre[which, 1]
     xx, yy, xy = mean(dx * dx) + 1 / 12, mean(dy * dy) + 1 / 12, mean(dx * dy)
+    peak = np.zeros(len(chosen))
+    np.maximum.at(peak, which, contrast[ys, xs])
     half, root = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
     angle = 0.5 * np.arctan2(2 * xy, xx - yy)
     return Parts(
@@ -97,10 +122,11 @@ def _measure(labels: NDArray[np.int32], chosen: Ints, count: int) -> Parts:
         length=np.sqrt(12 * (half + root)),
         width=np.sqrt(12 * np.maximum(half - root, 1 / 12)),
         area=area,
+        peak=peak,
     )
 
 
-def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float) -> Bools:
+def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float, noisy: bool) -> Bools:
     """(n,) whether each small component is part of a line or too large to be a letter."""
     dash = parts.is_dash & (parts.width < 2.0 * pen_width + 1.5)
     near_large = cv2.dilate(large.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
@@ -114,8 +140,12 @@ def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float) -> Boo
     pointed_at = (ahead & linked[:, None]).sum(axis=0)
     dot = (parts.length < 3.0 * pen_width + 2.0) & (parts.area > 0.15 * pen_width**2)
     in_row = _in_row(parts, dot, near_large, pen_width)
+    if np.count_nonzero(in_row & dot) > 0.5 * np.count_nonzero(dot):
+        in_row |= dot & (not noisy)  # dotted lines on clean paper: the other dots are theirs too
     large_enough = np.hypot(parts.length, parts.width) > letter
-    return np.asarray(linked | (pointed_at >= 2) | (dot & (pointed_at >= 1)) | in_row | large_enough, dtype=np.bool_)
+    return np.asarray(
+        linked | (pointed_at >= 2) | ((dot | parts.is_disc) & (pointed_at >= 1)) | in_row | large_enough, dtype=np.bool_
+    )
 
 
 def _ahead(parts: Parts, pen_width: float, sign: float) -> Bools:

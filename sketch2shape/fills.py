@@ -20,6 +20,8 @@ NARROW = 0.02
 """Strokes on and around fills are narrower than this share of the diagonal."""
 BLOT = 3.0
 """Wide ink smaller than this many of the boxes that tell what is wide is a blot, not a face."""
+SAME_FILL = 0.6
+"""A neighbour with less than this share of a fill's contrast is not the same fill."""
 PALER = 0.8
 """Wide ink below this share of the darkest ink's contrast is a fill."""
 
@@ -94,13 +96,15 @@ def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: f
     filled[labels[core]] = True
     level = np.where(filled[labels], level, np.uint8(0))
     for _ in range(int(narrow) + 2):
-        level = np.minimum(_u8(cv2.dilate(level, np.ones((3, 3), np.uint8))), contrast)
+        grown = _u8(cv2.dilate(level, np.ones((3, 3), np.uint8)))
+        leak = contrast < SAME_FILL * grown  # over an outline into the next face
+        level = np.where(leak, level, np.minimum(grown, contrast))
     return level
 
 
 def _borders(level: Gray, strokes: Gray, floor: float, diagonal: float) -> Gray:
     """Contrast of the borders between fills that no stroke follows."""
-    edges = _u8(cv2.Canny(level, 2.0 * floor, 4.0 * floor))
+    edges = _u8(cv2.Canny(level, 3.0 * floor, 6.0 * floor))
     drawn = np.asarray(strokes > max(floor, 0.3 * float(strokes.max())), dtype=np.uint8)
     near = cv2.dilate(drawn, _box(NARROW * diagonal))
     edges[near > 0] = 0

@@ -12,7 +12,16 @@ def pen_width_of(mask: Bools) -> float:
     """Typical stroke width, pixels: median over the ridge of the distance transform; 1 without ink."""
     if not mask.any():
         return 1.0
-    padded = np.pad(mask.astype(np.uint8), 1)
+    padded = cv2.copyMakeBorder(mask.astype(np.uint8), 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
     distance = cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5)
     ridge = (distance >= cv2.dilate(distance, np.ones((3, 3), np.uint8))) & (padded > 0)
     return max(1.0, 2.0 * float(np.median(distance[ridge])) - 0.7)
+
+
+def rough_pen_width(mask: Bools) -> float:
+    """Mean stroke width, pixels, within about two fifths: twice the area over the length of the outline; 1 without ink.
+
+    The outline is counted in pixel edges, of which a stroke has 4 / pi per unit of outline in the mean over directions.
+    """
+    edges = int(np.count_nonzero(mask[1:] != mask[:-1])) + int(np.count_nonzero(mask[:, 1:] != mask[:, :-1]))
+    return max(1.0, 2.0 * (4.0 / float(np.pi)) * int(np.count_nonzero(mask)) / max(edges, 1))
