@@ -1,0 +1,104 @@
+"""Corners: the points where strokes end, meet or turn.
+
+A vertex of the object is where stroke ENDS meet, at the least-squares intersection of their lines; an X, where two
+strokes run straight on, is a crossing and no vertex; a T is one end on another stroke's interior.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sketch2shape.model import Floats, Ints
+from sketch2shape.strokes import Strokes
+
+
+@dataclass(frozen=True)
+class Corners:
+    """Corners, the surest first.
+
+    points : (k, 2) float, pixels
+    degree : (k,) int, how many stroke ends meet there
+    on     : (k,) bool, whether it also lies on the interior of another stroke (T)
+    strokes: (m, 2) int, the corner at each end of each stroke
+    """
+
+    points: Floats
+    degree: Ints
+    on: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    strokes: Ints
+
+
+def join_ends(strokes: Strokes, pen: float) -> Corners:
+    """Corners where the ends of strokes meet.
+
+    pen : pen width, pixels
+    """
+    ends = strokes.ends.reshape(-1, 2)
+    if not len(ends):
+        none = np.zeros(0, np.intp)
+        return Corners(np.zeros((0, 2)), none, np.zeros(0, bool), np.zeros((0, 2), np.intp))
+    span = strokes.ends[:, 1] - strokes.ends[:, 0]
+    lengths = np.linalg.norm(span, axis=1) + 1e-9
+    direction = np.repeat(span / lengths[:, None], 2, axis=0)
+    cluster = _cluster(ends, direction, np.repeat(lengths, 2), strokes.tolerance, pen)
+    names, label = np.unique(cluster, return_inverse=True)
+    points = np.array([_meeting_point(ends[label == c], direction[label == c]) for c in range(len(names))])
+    degree = np.bincount(label, minlength=len(names))
+    on = _on_interior(points, strokes, strokes.tolerance + pen)
+    return Corners(points, degree.astype(np.intp), on, label.reshape(-1, 2).astype(np.intp))
+
+
+def _meeting_point(ends: Floats, direction: Floats) -> Floats:
+    """Least-squares intersection of the lines through the ends, held to the ends where the lines are nearly parallel."""
+    normal = np.c_[-direction[:, 1], direction[:, 0]]
+    weight = 0.02
+    a = normal.T @ normal + weight * np.eye(2) * len(ends)
+    b = normal.T @ (normal * ends).sum(axis=1) + weight * ends.sum(axis=0)
+    # the pull towards the ends is only there to tame parallel lines: take it out again where the system is sound
+    point = np.linalg.solve(a, b)
+    exact = normal.T @ normal
+    if np.linalg.det(exact) > 0.02 * len(ends) ** 2 / 4:
+        point = np.linalg.solve(exact, normal.T @ (normal * ends).sum(axis=1))
+    return np.asarray(point)
+
+
+def _cluster(ends: Floats, direction: Floats, lengths: Floats, tolerance: float, pen: float) -> Ints:
+    """Label of the corner each end belongs to: the closest ends join first, as long as their lines still meet there."""
+    label = np.arange(len(ends))
+    gap = np.linalg.norm(ends[:, None] - ends[None], axis=2)
+    sine = np.abs(direction[:, None, 0] * direction[None, :, 1] - direction[:, None, 1] * direction[None, :, 0])
+    base = 4 + 1.2 * pen + 2 * tolerance
+    reach = base + 0.7 * pen / np.maximum(sine, 0.1)
+    reach = np.minimum(reach, 0.5 * np.minimum(lengths[:, None], lengths[None]) + base)
+    other = np.arange(len(ends)) // 2
+    i, j = np.nonzero(np.triu((gap <= reach) & (other[:, None] != other[None]), 1))
+    for k in np.argsort(gap[i, j], kind="stable"):
+        a, b = label[i[k]], label[j[k]]
+        if a == b:
+            continue
+        members = np.flatnonzero((label == a) | (label == b))
+        if len(set(other[members])) == len(members) and _meet(ends[members], direction[members], reach[i[k], j[k]], base):
+            label[members] = a
+    return label
+
+
+def _meet(ends: Floats, direction: Floats, reach: float, slack: float) -> bool:
+    """Whether these strokes meet in one point near all their ends."""
+    point = _meeting_point(ends, direction)
+    offset = point - ends
+    off_line = np.abs(offset[:, 0] * direction[:, 1] - offset[:, 1] * direction[:, 0])
+    return bool(off_line.max() <= 0.5 * slack and np.linalg.norm(offset, axis=1).max() <= reach)
+
+
+def _on_interior(points: Floats, strokes: Strokes, reach: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Whether each corner lies on the interior of a stroke."""
+    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
+    length = np.linalg.norm(span, axis=1) + 1e-9
+    u = span / length[:, None]
+    q = points[:, None] - a[None]
+    along = (q * u).sum(axis=2)
+    across = np.abs(q[..., 0] * u[:, 1] - q[..., 1] * u[:, 0])
+    inside = (along > 2.5 * reach) & (along < length - 2.5 * reach) & (across <= reach)
+    return np.asarray(inside.any(axis=1))

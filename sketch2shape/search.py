@@ -1,0 +1,116 @@
+"""Search: from the ink of one object to the best verified hypothesis.
+
+Nobody knows beforehand how straight a drawing's lines are, so the search runs in rounds of growing tolerance and stops
+at the first that explains the drawing. A round traces strokes, joins their ends to corners, asks both face separators
+(`separate` where all edges are drawn, `caps` where the back is dashed or missing) for hypotheses, best first and within
+a budget, and has them verified.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from sketch2shape import caps, separate
+from sketch2shape.corners import Corners, join_ends
+from sketch2shape.model import Ink
+from sketch2shape.refine import refine
+from sketch2shape.strokes import Skeleton, Strokes, coverage, thin, trace_strokes
+from sketch2shape.verify import Evidence, Rings, Sheet, judge, skeleton_sheet
+
+GOOD = 0.975
+MOST_HYPOTHESES = 160
+MOST_CORNERS = 120
+
+
+@dataclass(frozen=True)
+class Found:
+    """A verified hypothesis.
+
+    rings     : in working pixels
+    evidence  : how well it agrees with the ink
+    tolerance : of the round that found it, pixels
+    noise     : rms distance between model and ink, pixels
+    """
+
+    rings: Rings
+    evidence: Evidence
+    tolerance: float
+    noise: float = 0.0
+
+
+def corner_graph(skeleton: Skeleton, corners: Corners, tolerance: float) -> separate.CornerGraph:
+    """Corners that can be vertices, and which of them have ink between them."""
+    keep = np.flatnonzero((corners.degree >= 2) | corners.on)[:MOST_CORNERS]
+    points = corners.points[keep]
+    k = len(points)
+    i, j = np.triu_indices(k, 1)
+    share = coverage(skeleton.distance, points[i], points[j], tolerance + 0.5)
+    apart = np.linalg.norm(points[i] - points[j], axis=1) > 2 * skeleton.pen_width
+    inked = np.zeros((k, k), bool)
+    inked[i, j] = inked[j, i] = (share > 0.9) & apart
+    return separate.CornerGraph(points, inked, 0.75 * skeleton.pen_width + 2.5 * tolerance + 1)
+
+
+def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
+    """Closed ladders of rungs."""
+    for ladder in separate.ladders(graph):
+        seen = set()
+        for cycle in separate.cycles(ladder, graph):
+            key = frozenset(cycle.tolist())
+            if key not in seen:
+                seen.add(key)
+                yield separate.ring_pair(ladder, graph, cycle)
+
+
+def find(ink: Ink) -> Found | None:
+    """The best hypothesis for the ink of one object, or None."""
+    skeleton = thin(ink)
+    if len(skeleton.points) < 30:
+        return None
+    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
+    best: Found | None = None
+    for k, tolerance in enumerate(_tolerances(size, ink.pen_width)):
+        found = _round(ink, skeleton, tolerance)
+        if found is not None and (best is None or found.evidence.score - 0.01 * k > best.evidence.score):
+            best = found
+        if best is not None and best.evidence.score >= GOOD - 0.01 * k:
+            break
+    return None if best is None else _refined(best, skeleton)
+
+
+def _tolerances(size: float, pen: float) -> list[float]:
+    """Pixels a line may stray, for each round."""
+    return [1.5, max(2.5, 0.006 * size), max(4.0, 0.012 * size), max(6.0, 0.02 * size)]
+
+
+def _round(ink: Ink, skeleton: Skeleton, tolerance: float) -> Found | None:
+    strokes = trace_strokes(skeleton, tolerance)
+    graph = corner_graph(skeleton, join_ends(strokes, ink.pen_width), tolerance)
+    sheet = skeleton_sheet(skeleton.distance, skeleton.points, np.ones(len(skeleton.points)), tolerance + 1)
+    best = _best(wire_hypotheses(graph), sheet, None)
+    if best is None or best[1].score < GOOD:
+        outlines = caps.region_outlines(ink.mask, ink.pen_width, tolerance)
+        best = _best(caps.caps(graph, outlines), sheet, best)
+    return None if best is None else Found(best[0], best[1], tolerance)
+
+
+def _best(hypotheses: Iterator[Rings], sheet: Sheet, best: tuple[Rings, Evidence] | None) -> tuple[Rings, Evidence] | None:
+    for count, rings in enumerate(hypotheses):
+        if count >= MOST_HYPOTHESES:
+            break
+        evidence = judge(rings, sheet)
+        if best is None or evidence.score > best[1].score:
+            best = rings, evidence
+    return best
+
+
+def _refined(found: Found, skeleton: Skeleton) -> Found:
+    rings, noise = refine(found.rings, skeleton.points, found.tolerance + 1, found.evidence.drawn)
+    sheet = skeleton_sheet(skeleton.distance, skeleton.points, np.ones(len(skeleton.points)), found.tolerance + 1)
+    evidence = judge(rings, sheet)
+    if evidence.score < found.evidence.score - 0.02:
+        return found
+    return Found(rings, evidence, found.tolerance, noise)

@@ -1,0 +1,221 @@
+"""Face separator for drawings in which all edges are drawn: which corners form f1 and which f2.
+
+Strategy. A connecting edge is a rung between the two faces, and all rungs obey one plane map (`homology`). Maps are
+guessed from one rung (translation), two neighbouring rungs (similarity) or three (homology), and scored by how many
+inked segments between corners they carry onto each other. Under a map every corner pair (c, H c) with ink between is a
+rung; two rungs are neighbours if both face edges between them are inked. The faces are the simple cycles of that
+graph: rungs of one object form a closed ladder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from sketch2shape import homology
+from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.verify import Rings
+
+
+@dataclass(frozen=True)
+class CornerGraph:
+    """Corners and the ink between them.
+
+    points    : (k, 2) float, pixels
+    inked     : (k, k) bool, symmetric, whether the straight segment between two corners is drawn
+    tolerance : pixels by which a corner may be misplaced
+    """
+
+    points: Floats
+    inked: Bools
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """Rungs under one map.
+
+    map   : (3, 3) float, carries f1 onto f2
+    rungs : (m, 2) int, corner of f1 and corner of f2
+    links : (m, m) bool, rungs joined by an inked edge in both faces
+    """
+
+    map: Floats
+    rungs: Ints
+    links: Bools
+
+
+def ladders(graph: CornerGraph, most: int = 24) -> list[Ladder]:
+    """Candidate ladders, the richest first."""
+    rungs = np.argwhere(graph.inked)
+    if len(rungs) < 6:
+        return []
+    links = _links(graph, rungs)
+    maps = np.concatenate([_from_one(graph, rungs), _from_two(graph, rungs, links), _from_three(graph, rungs, links)])
+    found: dict[bytes, Ladder] = {}
+    for h in _best_maps(graph, rungs, links, maps, 3 * most):
+        ladder = _close(graph, rungs, links, h)
+        if ladder is not None:
+            found.setdefault(ladder.rungs.tobytes(), ladder)
+    return sorted(found.values(), key=lambda x: -len(x.rungs))[:most]
+
+
+def _links(graph: CornerGraph, rungs: Ints) -> Bools:
+    """(m, m): whether rungs (a, a') and (b, b') have ink from a to b and from a' to b'."""
+    a, b = rungs[:, 0], rungs[:, 1]
+    links = graph.inked[np.ix_(a, a)] & graph.inked[np.ix_(b, b)]
+    links &= (a[:, None] != b[None]) | (a[:, None] == b[None])
+    return np.asarray(links)
+
+
+def _from_one(graph: CornerGraph, rungs: Ints) -> Floats:
+    """A translation for each rung."""
+    return homology.translation(graph.points[rungs[:, 1]] - graph.points[rungs[:, 0]])
+
+
+def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -> Floats:
+    """A similarity for each pair of linked rungs whose face edges are parallel."""
+    i, j = np.nonzero(np.triu(links, 1))
+    p = graph.points
+    u = p[rungs[j, 0]] - p[rungs[i, 0]]
+    v = p[rungs[j, 1]] - p[rungs[i, 1]]
+    cross = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    lu, lv = np.linalg.norm(u, axis=1), np.linalg.norm(v, axis=1)
+    slack = 0.03 * lu * lv + 1.5 * graph.tolerance * np.minimum(lu, lv)
+    ok = (cross <= slack) & ((u * v).sum(axis=1) > 0)
+    i, j = i[ok][:most], j[ok][:most]
+    src = p[np.stack([rungs[i, 0], rungs[j, 0]], axis=1)]
+    dst = p[np.stack([rungs[i, 1], rungs[j, 1]], axis=1)]
+    return homology.similarity(src, dst) if len(i) else np.zeros((0, 3, 3))
+
+
+def _from_three(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 6000) -> Floats:
+    """A homology for each chain of three linked rungs."""
+    chains = []
+    for j in range(len(rungs)):
+        near = np.flatnonzero(links[j])
+        for x, i in enumerate(near):
+            for k in near[x + 1 :]:
+                if len({*rungs[[i, j, k], 0]}) == 3 and len({*rungs[[i, j, k], 1]}) == 3:
+                    chains.append((i, j, k))
+    if not chains:
+        return np.zeros((0, 3, 3))
+    chain = np.array(chains)
+    src, dst = graph.points[rungs[chain, 0]], graph.points[rungs[chain, 1]]
+    ok = (_spread(src) > 3 * graph.tolerance) & (_spread(dst) > 3 * graph.tolerance)
+    ok &= _same_turn(src, dst)
+    step = max(1, int(ok.sum()) // most)
+    src, dst = src[ok][::step], dst[ok][::step]
+    return homology.homology(src, dst) if len(src) else np.zeros((0, 3, 3))
+
+
+def _turn(t: Floats) -> Floats:
+    u, v = t[:, 1] - t[:, 0], t[:, 2] - t[:, 1]
+    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+def _spread(t: Floats) -> Floats:
+    """Height of each triangle over its longest side."""
+    longest = np.linalg.norm(t - np.roll(t, 1, axis=1), axis=2).max(axis=1)
+    return np.asarray(np.abs(_turn(t)) / (longest + 1e-9))
+
+
+def _same_turn(src: Floats, dst: Floats) -> Bools:
+    return np.asarray(np.sign(_turn(src)) == np.sign(_turn(dst)))
+
+
+def _matches(graph: CornerGraph, rungs: Ints, maps: Floats) -> Bools:
+    """(maps, rungs): whether the map carries the rung's first corner onto its second."""
+    image = homology.apply(maps, graph.points)
+    with np.errstate(invalid="ignore"):
+        off = np.linalg.norm(image[:, rungs[:, 0]] - graph.points[rungs[:, 1]], axis=2)
+    return np.asarray(off <= graph.tolerance)
+
+
+def _best_maps(graph: CornerGraph, rungs: Ints, links: Bools, maps: Floats, most: int) -> Floats:
+    """The maps with the most linked rungs, one of each kind."""
+    hits = _matches(graph, rungs, maps)
+    linked = hits & ((hits.astype(np.float32) @ links.astype(np.float32)) >= 2)
+    starts = np.zeros((len(rungs), len(graph.points)), np.float32)
+    starts[np.arange(len(rungs)), rungs[:, 0]] = 1
+    count = ((linked.astype(np.float32) @ starts) > 0).sum(axis=1)
+    order = np.argsort(-count, kind="stable")
+    kept: list[int] = []
+    seen: set[bytes] = set()
+    for k in order:
+        if count[k] < 3 or len(kept) >= most:
+            break
+        key = np.packbits(linked[k]).tobytes()
+        if key not in seen:
+            seen.add(key)
+            kept.append(int(k))
+    return maps[kept]
+
+
+def _close(graph: CornerGraph, rungs: Ints, links: Bools, h: Floats) -> Ladder | None:
+    """Refit the map to all its rungs, take its rungs again, and drop those that cannot be part of a cycle."""
+    for _ in range(2):
+        mine = _prune(np.flatnonzero(_matches(graph, rungs, h[None])[0]), links)
+        if len(mine) < 3:
+            return None
+        h = _refit(graph, rungs[mine], h)
+    mine = _prune(np.flatnonzero(_matches(graph, rungs, h[None])[0]), links)
+    if len(mine) < 3:
+        return None
+    return Ladder(h, rungs[mine], links[np.ix_(mine, mine)])
+
+
+def _prune(mine: Ints, links: Bools) -> Ints:
+    """Without rungs that have fewer than two neighbours, again and again."""
+    while len(mine):
+        ok = links[np.ix_(mine, mine)].sum(axis=1) >= 2
+        if ok.all():
+            break
+        mine = mine[ok]
+    return mine
+
+
+def _refit(graph: CornerGraph, rungs: Ints, h: Floats) -> Floats:
+    """The simplest kind of map that fits these rungs."""
+    src, dst = graph.points[rungs[:, 0]], graph.points[rungs[:, 1]]
+    fits = [homology.translation((dst - src).mean(axis=0)), homology.similarity(src, dst)]
+    if len(rungs) >= 4:
+        fits.append(homology.homology(src, dst))
+    for fit in fits:
+        if np.linalg.norm(homology.apply(fit, src) - dst, axis=1).max() <= 0.6 * graph.tolerance:
+            return fit
+    return h
+
+
+def cycles(ladder: Ladder, graph: CornerGraph, budget: int = 3000) -> Iterator[Ints]:
+    """Simple cycles of rungs, (n,) indices into ladder.rungs, each given once, long ones not first.
+
+    No corner serves twice in one face; one may serve once in each (coincident vertices).
+    """
+    links, rungs = ladder.links, ladder.rungs
+    steps = 0
+    for start in range(len(rungs)):
+        stack = [(start, (start,))]
+        while stack:
+            node, path = stack.pop()
+            steps += 1
+            if steps > budget:
+                return
+            for after in np.flatnonzero(links[node]):
+                if after == start and len(path) >= 3 and path[1] < path[-1]:
+                    yield np.array(path)
+                elif after > start and not _clash(rungs, path, int(after)):
+                    stack.append((int(after), (*path, int(after))))
+
+
+def _clash(rungs: Ints, path: tuple[int, ...], after: int) -> bool:
+    used = rungs[list(path)]
+    return bool((used[:, 0] == rungs[after, 0]).any() or (used[:, 1] == rungs[after, 1]).any())
+
+
+def ring_pair(ladder: Ladder, graph: CornerGraph, cycle: Ints) -> Rings:
+    """The two rings of a cycle of rungs."""
+    pair = ladder.rungs[cycle]
+    return Rings((graph.points[pair[:, 0]],), (graph.points[pair[:, 1]],))

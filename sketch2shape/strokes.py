@@ -1,0 +1,242 @@
+"""Strokes: the straight lines of a drawing, with their ends.
+
+Strategy. The ink is thinned to a skeleton; without its junction pixels the skeleton falls into paths of pixels one
+wide. Douglas-Peucker (Douglas and Peucker 1973) cuts every path into nearly straight pieces, a total-least-squares
+line is fitted to the middle of each, and pieces that lie on one line are merged across crossings and gaps. What is
+left are strokes. Everything is measured against one number, the tolerance: how far, in pixels, the hand that drew this
+may have strayed from a straight line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Floats, Ink, Ints
+
+
+@dataclass(frozen=True)
+class Skeleton:
+    """The thinned ink.
+
+    mask      : (h, w) uint8, 1 on the skeleton
+    points    : (k, 2) float, x and y of its pixels
+    distance  : (h, w) float32, distance of every pixel to the skeleton, pixels
+    paths     : ordered pixels of each branch, (m, 2) float each
+    pen_width : pixels
+    """
+
+    mask: NDArray[np.uint8]
+    points: Floats
+    distance: NDArray[np.float32]
+    paths: tuple[Floats, ...]
+    pen_width: float
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """Straight strokes, longest first.
+
+    ends      : (k, 2, 2) float, both end points of each, pixels
+    inked     : (k,) float, part of the length that lies on ink: about 1 for a solid stroke, about 0.6 for a dashed one
+    tolerance : pixels a stroke may stray from its line
+    """
+
+    ends: Floats
+    inked: Floats
+    tolerance: float
+
+    @property
+    def lengths(self) -> Floats:
+        """(k,) float, pixels."""
+        return np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1)
+
+
+def thin(ink: Ink) -> Skeleton:
+    """Skeleton of the ink, split into its branches."""
+    from skimage.morphology import skeletonize
+
+    mask = skeletonize(ink.mask).astype(np.uint8)
+    # one pixel of margin lets the neighbour count and the contours treat border pixels like all others
+    padded = cv2.copyMakeBorder(mask, 1, 1, 1, 1, cv2.BORDER_CONSTANT)
+    neighbours = cv2.filter2D(padded, cv2.CV_8U, np.ones((3, 3), np.uint8), borderType=cv2.BORDER_CONSTANT) - padded
+    junction = (padded == 1) & (neighbours > 2)
+    branches = padded.copy()
+    branches[junction] = 0
+    paths = _ordered_paths(branches)
+    ys, xs = np.nonzero(mask)
+    distance = cv2.distanceTransform(1 - mask, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    return Skeleton(mask, np.c_[xs, ys].astype(float), distance, tuple(p - 1.0 for p in paths), ink.pen_width)
+
+
+def _ordered_paths(branches: NDArray[np.uint8]) -> list[Floats]:
+    """Pixels of every one-pixel-wide component in walking order.
+
+    The outer contour of such a component runs along it and back again, so the part between its two turning points is
+    the path.
+    """
+    contours, _ = cv2.findContours(branches, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    paths = []
+    for contour in contours:
+        points = contour[:, 0, :].astype(float)
+        if len(points) > 2:
+            before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+            turns = np.flatnonzero((before == after).all(axis=1))
+            if len(turns) >= 2:
+                points = points[turns[0] : turns[1] + 1]
+            elif len(turns) == 1:
+                points = np.roll(points, -int(turns[0]), axis=0)[: len(points) // 2 + 1]
+        paths.append(points)
+    return paths
+
+
+def fit_line(points: Floats) -> tuple[Floats, Floats]:
+    """Total-least-squares line: (centre (2,), unit direction (2,))."""
+    centre = points.mean(axis=0)
+    q = points - centre
+    xx, yy, xy = float(q[:, 0] @ q[:, 0]), float(q[:, 1] @ q[:, 1]), float(q[:, 0] @ q[:, 1])
+    angle = 0.5 * np.arctan2(2 * xy, xx - yy)
+    return centre, np.array([np.cos(angle), np.sin(angle)])
+
+
+def _pieces(skeleton: Skeleton, tolerance: float) -> list[Floats]:
+    """Nearly straight runs of skeleton pixels."""
+    pieces = []
+    for path in skeleton.paths:
+        if len(path) < 3:
+            pieces.append(path)
+            continue
+        bends = cv2.approxPolyDP(path.astype(np.int32)[:, None], tolerance, False)[:, 0]
+        index = _positions(path, bends)
+        pieces += [path[a : b + 1] for a, b in zip(index[:-1], index[1:], strict=True)]
+    return pieces
+
+
+def _positions(path: Floats, bends: NDArray[np.int32]) -> list[int]:
+    """Where along the path its bends lie."""
+    found, start = [], 0
+    for bend in bends:
+        hits = np.flatnonzero((path[start:] == bend).all(axis=1))
+        if len(hits):
+            start += int(hits[0])
+            found.append(start)
+    if not found or found[-1] != len(path) - 1:
+        found.append(len(path) - 1)
+    return found
+
+
+@dataclass
+class _Line:
+    """A growing stroke: its pixels (thinned out), and its two ends."""
+
+    points: Floats
+    ends: Floats
+    inked: float
+
+
+def _straighten(points: Floats, pen: float) -> _Line:
+    """A piece as a line; the bent ends near junctions do not count for its direction."""
+    trim = min(int(pen), len(points) // 4)
+    centre, direction = fit_line(points[trim : len(points) - trim] if len(points) > 4 else points)
+    along = (points - centre) @ direction
+    ends = centre + np.outer([along.min(), along.max()], direction)
+    step = max(1, len(points) // 24)
+    return _Line(points[::step], ends, float(np.ptp(along)) + 1.0)
+
+
+def _joined(a: _Line, b: _Line, tolerance: float) -> _Line | None:
+    """Both as one stroke, unless they do not lie on one line."""
+    points = np.concatenate([a.points, b.points])
+    centre, direction = fit_line(np.concatenate([a.ends, b.ends, points]))
+    off = np.abs((points - centre) @ np.array([-direction[1], direction[0]]))
+    along = (np.concatenate([a.ends, b.ends]) - centre) @ direction
+    low, high = float(along.min()), float(along.max())
+    if off.max() > max(tolerance, 0.012 * (high - low)):
+        return None
+    return _Line(points, centre + np.outer([low, high], direction), a.inked + b.inked)
+
+
+def _gap_limit(a: _Line, b: _Line, bridge: float) -> float:
+    """How far apart two pieces of one line may be: the width of a crossing, or the gap of a dash pattern."""
+    shorter = min(float(np.linalg.norm(x.ends[1] - x.ends[0])) for x in (a, b))
+    return max(bridge, min(1.6 * shorter, 3.5 * bridge))
+
+
+def _bent(a: _Line, b: _Line, near: Floats, tolerance: float) -> bool:
+    """Two long pieces that meet at an angle are two strokes, however small the step between them."""
+    u, v = a.ends[1] - a.ends[0], b.ends[1] - b.ends[0]
+    la, lb = float(np.linalg.norm(u)), float(np.linalg.norm(v))
+    sine = abs(float(u[0] * v[1] - u[1] * v[0])) / (la * lb + 1e-9)
+    return sine > 0.05 + 2.5 * tolerance / (min(la, lb) + 1e-9)
+
+
+def _merge(lines: list[_Line], tolerance: float, bridge: float) -> list[_Line]:
+    """Merge pieces of one line, the closest ends first, until nothing fits any more."""
+    while True:
+        pairs = _close_pairs(lines, tolerance, bridge)
+        used: set[int] = set()
+        merged = []
+        for i, j in pairs:
+            if i in used or j in used:
+                continue
+            line = _joined(lines[i], lines[j], tolerance)
+            if line is not None:
+                used |= {i, j}
+                merged.append(line)
+        if not merged:
+            return lines
+        lines = [line for k, line in enumerate(lines) if k not in used] + merged
+
+
+def _close_pairs(lines: list[_Line], tolerance: float, bridge: float) -> list[tuple[int, int]]:
+    """Pairs of lines whose ends nearly touch and whose directions agree, the closest first."""
+    ends = np.array([line.ends for line in lines])
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    flat = ends.reshape(-1, 2)
+    gap = np.linalg.norm(flat[:, None] - flat[None], axis=2)
+    gap = gap.reshape(len(lines), 2, len(lines), 2).min(axis=(1, 3))
+    shorter = np.minimum(lengths[:, None], lengths[None])
+    limit = np.maximum(bridge, np.minimum(1.6 * shorter, 3.5 * bridge))
+    direction = (ends[:, 1] - ends[:, 0]) / (lengths[:, None] + 1e-9)
+    sine = np.abs(direction[:, None, 0] * direction[None, :, 1] - direction[:, None, 1] * direction[None, :, 0])
+    close = (gap < limit) & (sine < 0.05 + 2.5 * tolerance / (shorter + 1e-9))
+    i, j = np.nonzero(np.triu(close, 1))
+    order = np.argsort(gap[i, j], kind="stable")
+    return [(int(i[k]), int(j[k])) for k in order]
+
+
+def trace_strokes(skeleton: Skeleton, tolerance: float) -> Strokes:
+    """Straight strokes of a drawing.
+
+    tolerance : pixels, how far a drawn line may stray from a straight one
+    """
+    pen = skeleton.pen_width
+    lines = [_straighten(p, pen) for p in _pieces(skeleton, tolerance) if len(p) >= 2]
+    bridge = 2.5 * pen + 2 * tolerance + 2
+    lines = _merge(lines, tolerance, bridge) if lines else []
+    lines.sort(key=lambda line: -float(np.linalg.norm(line.ends[1] - line.ends[0])))
+    ends = np.array([line.ends for line in lines]).reshape(-1, 2, 2)
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    inked = np.array([line.inked for line in lines]) / (lengths + 1.0)
+    return Strokes(ends, np.minimum(inked, 1.0), tolerance)
+
+
+def coverage(distance: NDArray[np.float32], a: Floats, b: Floats, reach: float, samples: int = 48) -> Floats:
+    """Part of each segment that lies within reach of the skeleton.
+
+    a, b  : (k, 2) float, end points in pixels
+    reach : pixels
+    Returns (k,) float in 0..1.
+    """
+    s = (np.arange(samples) + 0.5) / samples
+    p = a[:, None] + s[None, :, None] * (b - a)[:, None]
+    h, w = distance.shape
+    x = np.clip(np.rint(p[..., 0]).astype(np.intp), 0, w - 1)
+    y = np.clip(np.rint(p[..., 1]).astype(np.intp), 0, h - 1)
+    return (distance[y, x] <= reach).mean(axis=1)
+
+
+Indices = Ints

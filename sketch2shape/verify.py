@@ -1,0 +1,218 @@
+"""Verification: draw a hypothesis again and compare it with the ink.
+
+A good answer has ink under every edge that can be seen, treats all hidden edges alike (all drawn, all dashed, or none)
+and leaves no large part of the drawing unexplained. Visibility needs no depth: the object is the front face swept along
+the connecting lines, so a point of a side or of the back face is hidden exactly if the way back along its connecting
+line to the front face crosses the front face's interior.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Bools, Floats, Lines, ring_edges
+
+SAMPLES = 40
+WAY_BACK = 24
+
+
+class Rings(NamedTuple):
+    """Corresponding rings of a hypothesis: front[k][i] joins back[k][i]; the outer ring first."""
+
+    front: tuple[Floats, ...]
+    back: tuple[Floats, ...]
+
+    @property
+    def vertices(self) -> Floats:
+        """(2m, 2) float."""
+        return np.concatenate([*self.front, *self.back])
+
+    def swapped(self) -> Rings:
+        """Front and back exchanged."""
+        return Rings(self.back, self.front)
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """How well a hypothesis agrees with the drawing.
+
+    score     : 0..1, harmonic mean of support and explained, lowered by the weakest edge
+    support   : 0..1, part of the length that should be drawn which is
+    explained : 0..1, part of the ink that the hypothesis accounts for
+    weakest   : 0..1, least support of any edge of notable length
+    lines     : how hidden edges are drawn
+    drawn     : (m,) bool, back vertices that ink shows
+    """
+
+    score: float
+    support: float
+    explained: float
+    weakest: float
+    lines: Lines
+    drawn: Bools
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What a hypothesis is compared with.
+
+    distance : (h, w) float32, distance to the skeleton, pixels
+    points   : (k, 2) float, skeleton pixels that must be explained
+    weights  : (k,) float, weight of each
+    reach    : pixels a drawn line may be away from the predicted one
+    """
+
+    distance: NDArray[np.float32]
+    points: Floats
+    weights: Floats
+    reach: float
+
+
+def edge_samples(rings: Rings, samples: int = SAMPLES) -> tuple[Floats, Floats]:
+    """Points along every edge and the points of the front face they come from: both (3m, samples, 2)."""
+    edges = ring_edges([len(r) for r in rings.front])
+    v = rings.vertices
+    half = len(v) // 2
+    s = ((np.arange(samples) + 0.5) / samples)[None, :, None]
+    a, b = v[edges[:, 0], None], v[edges[:, 1], None]
+    base_a, base_b = v[edges[:, 0] % half, None], v[edges[:, 1] % half, None]
+    return a + s * (b - a), base_a + s * (base_b - base_a)
+
+
+def hidden_samples(rings: Rings, shape: tuple[int, int], margin: float) -> Bools:
+    """Which edge samples lie behind the object: (3m, SAMPLES) bool."""
+    points, base = edge_samples(rings)
+    low = np.floor(np.minimum(points.min(axis=(0, 1)), base.min(axis=(0, 1)))) - 3
+    high = np.ceil(np.maximum(points.max(axis=(0, 1)), base.max(axis=(0, 1)))) + 3
+    factor = min(1.0, 400.0 / max(float((high - low).max()), 1.0))
+    inside = _interior(rings, low, high, factor, margin)
+    # the near end of the way back lies on the outline itself, the far end is the point: its own cap counts too
+    s = np.linspace(0.0, 1.0, WAY_BACK)[None, None, :, None]
+    way = base[:, :, None] + s * (points - base)[:, :, None]
+    at = np.clip(((way - low) * factor).round().astype(np.intp), 0, np.array(inside.shape[::-1]) - 1)
+    hidden = inside[at[..., 1], at[..., 0]].any(axis=2)
+    front = np.concatenate([np.repeat([True, False, False], len(r)) for r in rings.front])
+    hidden[front] = False
+    return np.asarray(hidden)
+
+
+def _interior(rings: Rings, low: Floats, high: Floats, factor: float, margin: float) -> Bools:
+    """The front face's interior without a rim of margin pixels, rasterised."""
+    w, h = (((high - low) * factor).astype(int) + 1).tolist()
+    canvas = np.zeros((h, w), np.uint8)
+    for k, ring in enumerate(rings.front):
+        cv2.fillPoly(canvas, [((ring - low) * factor).round().astype(np.int32)], 0 if k else 1)
+    rim = max(1, round(margin * factor))
+    for ring in rings.front:
+        cv2.polylines(canvas, [((ring - low) * factor).round().astype(np.int32)], True, 0, 2 * rim + 1)
+    return canvas.astype(bool)
+
+
+def judge(rings: Rings, sheet: Sheet) -> Evidence:
+    """Compare a hypothesis with the drawing, under each way hidden lines may have been drawn."""
+    points, _ = edge_samples(rings)
+    h, w = sheet.distance.shape
+    x = np.rint(points[..., 0]).astype(np.intp)
+    y = np.rint(points[..., 1]).astype(np.intp)
+    outside = (x < 0) | (y < 0) | (x >= w) | (y >= h)
+    near = sheet.distance[np.clip(y, 0, h - 1), np.clip(x, 0, w - 1)] <= sheet.reach
+    near &= ~outside
+    hidden = hidden_samples(rings, (h, w), 1.5 * sheet.reach)
+    v = rings.vertices
+    edges = ring_edges([len(r) for r in rings.front])
+    lengths = np.linalg.norm(v[edges[:, 1]] - v[edges[:, 0]], axis=1)
+    lines = _line_style(near, hidden, lengths)
+    wanted = np.ones_like(hidden) if lines == "wire" else ~_grown(hidden, lengths, 5 * sheet.reach)
+    support, weakest = _support(near, wanted, lengths)
+    if lines == "dashed":
+        support = min(support, 0.6 * support + 0.4 * min(1.0, _support(near, hidden, lengths)[0] / 0.45))
+    shown = wanted if lines == "removed" else np.ones_like(wanted)
+    explained = _explained(points, shown, sheet, lengths)
+    score = 2 * support * explained / (support + explained + 1e-9)
+    score *= min(1.0, 0.5 + 0.5 * weakest / 0.75)
+    return Evidence(score, support, explained, weakest, lines, _drawn(near, rings, shown))
+
+
+def _grown(hidden: Bools, lengths: Floats, margin: float) -> Bools:
+    """Hidden samples and those within margin pixels of one: where a line dives behind a contour, nobody can say."""
+    count = np.ceil(margin * hidden.shape[1] / (lengths + 1e-9)).astype(int)
+    total = np.cumsum(np.pad(hidden, ((0, 0), (1, 0))), axis=1)
+    at = np.arange(hidden.shape[1])[None]
+    low = np.maximum(at - count[:, None], 0)
+    high = np.minimum(at + count[:, None] + 1, hidden.shape[1])
+    rows = np.arange(len(hidden))[:, None]
+    return np.asarray(total[rows, high] > total[rows, low])
+
+
+def _support(near: Bools, wanted: Bools, lengths: Floats) -> tuple[float, float]:
+    """(part of the wanted length that is inked, the same for the weakest edge)."""
+    weight = wanted * lengths[:, None] / near.shape[1]
+    total = weight.sum(axis=1)
+    if total.sum() <= 0:
+        return 1.0, 1.0
+    share = (near * weight).sum(axis=1) / (total + 1e-9)
+    notable = total > 0.03 * lengths.max()
+    return float((near * weight).sum() / total.sum()), float(share[notable].min()) if notable.any() else 1.0
+
+
+def _line_style(near: Bools, hidden: Bools, lengths: Floats) -> Lines:
+    """From how much of the hidden length is inked: nearly all, some, or little."""
+    weight = hidden * lengths[:, None]
+    if weight.sum() < 0.02 * near.shape[1] * lengths.sum():
+        return "wire"
+    share = float((near * weight).sum() / weight.sum())
+    return "wire" if share > 0.93 else "dashed" if share > 0.3 else "removed"
+
+
+def _explained(points: Floats, shown: Bools, sheet: Sheet, lengths: Floats) -> float:
+    """Weighted part of the skeleton within reach of the shown parts of the edges."""
+    if not len(sheet.points):
+        return 0.0
+    h, w = sheet.distance.shape
+    canvas = np.zeros((h, w), np.uint8)
+    thickness = max(1, int(2 * sheet.reach + 1.5))
+    for edge, show in zip(points, shown, strict=True):
+        for run in _runs(show):
+            a, b = edge[run[0]], edge[run[1]]
+            step = (edge[1] - edge[0]) / 2
+            ends = np.clip(np.rint([a - step, b + step]), -30000, 30000).astype(int)
+            cv2.line(canvas, ends[0].tolist(), ends[1].tolist(), 1, thickness)
+    hit = canvas[sheet.points[:, 1].astype(np.intp), sheet.points[:, 0].astype(np.intp)] > 0
+    return float((hit * sheet.weights).sum() / sheet.weights.sum())
+
+
+def _runs(show: Bools) -> list[tuple[int, int]]:
+    """First and last index of every run of True."""
+    flips = np.flatnonzero(np.diff(np.concatenate([[False], show, [False]]).astype(np.int8)))
+    return [(int(a), int(b) - 1) for a, b in flips.reshape(-1, 2)]
+
+
+def _drawn(near: Bools, rings: Rings, shown: Bools) -> Bools:
+    """Back vertices at which at least two shown edge ends have ink."""
+    edges = ring_edges([len(r) for r in rings.front])
+    half = sum(len(r) for r in rings.front)
+    lit = np.zeros(2 * half, int)
+    first = (near & shown)[:, :8].mean(axis=1) > 0.3
+    last = (near & shown)[:, -8:].mean(axis=1) > 0.3
+    np.add.at(lit, edges[first, 0], 1)
+    np.add.at(lit, edges[last, 1], 1)
+    return np.asarray(lit[half:] >= 2)
+
+
+def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Floats, reach: float) -> Sheet:
+    """A sheet with at most about 1500 of the skeleton's points, evenly thinned out."""
+    step = max(1, len(points) // 1500)
+    return Sheet(distance, points[::step], weights[::step], reach)
+
+
+def best_way_round(candidates: Sequence[Rings], sheet: Sheet) -> tuple[Rings, Evidence]:
+    """The best of several hypotheses and its evidence."""
+    judged = [(judge(r, sheet), r) for r in candidates]
+    evidence, rings = max(judged, key=lambda pair: pair[0].score)
+    return rings, evidence
