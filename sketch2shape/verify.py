@@ -157,7 +157,8 @@ def _support(near: Bools, wanted: Bools, lengths: Floats) -> tuple[float, float]
     if total.sum() <= 0:
         return 1.0, 1.0
     share = (near * weight).sum(axis=1) / (total + 1e-9)
-    notable = total > 0.03 * lengths.max()
+    # what is left of a partly hidden edge must be long enough to tell
+    notable = total > np.where(wanted.all(axis=1), 0.03, 0.12) * lengths.max()
     return float((near * weight).sum() / total.sum()), float(share[notable].min()) if notable.any() else 1.0
 
 
