@@ -8,7 +8,9 @@ encloses. For every region its outline is a candidate f1; strokes that leave its
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import cv2
 import numpy as np
@@ -20,35 +22,46 @@ from sketch2shape.separate import CornerGraph
 from sketch2shape.verify import Rings
 
 
-def region_outlines(mask: Bools, pen: float, tolerance: float, most: int = 40) -> list[Floats]:
-    """Outlines of the regions that the ink encloses, the largest first.
+@dataclass(frozen=True)
+class Region:
+    """A region that the ink encloses.
+
+    outline : (n, 2) float, pixels, its border along the middle of the strokes
+    islands : borders of what lies inside it: holes, letters
+    """
+
+    outline: Floats
+    islands: tuple[Floats, ...] = ()
+
+
+def enclosed_regions(mask: Bools, pen: float, tolerance: float, most: int = 40) -> list[Region]:
+    """Regions that the ink encloses, the largest first.
 
     mask : (h, w) bool, the ink
-    Returns polygons (n, 2) float, pixels, along the middle of the strokes.
     """
     grown = cv2.copyMakeBorder(mask.astype(np.uint8), 2, 2, 2, 2, cv2.BORDER_CONSTANT)
     close = max(1, int(tolerance))
     if close > 1:
         grown = cv2.dilate(grown, _disc(close - 1))
-    count, label, stats, _ = cv2.connectedComponentsWithStats(1 - grown, connectivity=4)
+    _, label, stats, _ = cv2.connectedComponentsWithStats(1 - grown, connectivity=4)
     diagonal = np.hypot(*mask.shape)
     least = max(3 * pen * pen, 1e-4 * diagonal**2)
     outside = label[0, 0]
     order = [k for k in np.argsort(-stats[:, cv2.CC_STAT_AREA]) if k not in (0, outside)]
-    outlines = []
+    regions = []
     for k in [k for k in order if stats[k, cv2.CC_STAT_AREA] >= least][:most]:
-        outline = _outline(label, stats[k], int(k), pen + 2 * (close - 1), tolerance)
-        if outline is not None:
-            outlines.append(outline - 2.0)
-    return outlines
+        region = _region(label, stats[k], int(k), pen + 2 * (close - 1), tolerance)
+        if region is not None:
+            regions.append(region)
+    return regions
 
 
 def _disc(radius: int) -> NDArray[np.uint8]:
     return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * radius + 1, 2 * radius + 1)), np.uint8)
 
 
-def _outline(label: NDArray[np.int32], stat: NDArray[np.int32], k: int, pen: float, tolerance: float) -> Floats | None:
-    """One region's polygon, its border moved out to the middle of the strokes, thin intrusions closed."""
+def _region(label: NDArray[Any], stat: NDArray[Any], k: int, pen: float, tolerance: float) -> Region | None:
+    """One region's polygons, their borders moved to the middle of the strokes, thin intrusions closed."""
     margin = int(3 * pen) + 4
     x, y, w, h = (int(v) for v in stat[:4])
     x0, y0 = max(x - margin, 0), max(y - margin, 0)
@@ -58,10 +71,16 @@ def _outline(label: NDArray[np.int32], stat: NDArray[np.int32], k: int, pen: flo
     part = cv2.dilate(part, _disc(out))
     if back:
         part = cv2.erode(part, _disc(back))
-    contours, _ = cv2.findContours(part, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    contour = max(contours, key=cv2.contourArea)
-    polygon = cv2.approxPolyDP(contour, tolerance + 0.35 * pen, True)[:, 0].astype(float)
-    return polygon + [x0 - margin, y0 - margin] if 3 <= len(polygon) <= 64 else None
+    contours, tree = cv2.findContours(part, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    # two pixels of border were added before the regions were labelled
+    shift = np.array([x0 - margin - 2.0, y0 - margin - 2.0])
+    areas = [cv2.contourArea(c) for c in contours]
+    outer = max((i for i in range(len(contours)) if tree[0, i, 3] < 0), key=lambda i: areas[i])
+    inner = [i for i in range(len(contours)) if tree[0, i, 3] == outer and areas[i] > 0.004 * areas[outer]]
+    polygons = [cv2.approxPolyDP(contours[i], tolerance + 0.35 * pen, True)[:, 0] + shift for i in [outer, *inner[:8]]]
+    if not 3 <= len(polygons[0]) <= 64:
+        return None
+    return Region(polygons[0], tuple(p for p in polygons[1:] if 3 <= len(p) <= 64))
 
 
 def snap(outline: Floats, graph: CornerGraph, reach: float) -> tuple[Ints, Floats]:
@@ -115,17 +134,22 @@ def rungs_of(corner: Ints, outline: Floats, graph: CornerGraph) -> list[tuple[in
     return found
 
 
-def caps(graph: CornerGraph, outlines: list[Floats], most: int = 24) -> Iterator[Rings]:
-    """Hypotheses from every outline, each outline's best maps first."""
-    for outline in outlines:
-        corner, ring = snap(outline, graph, 1.2 * graph.tolerance + 2)
+def caps(graph: CornerGraph, regions: list[Region], most: int = 24) -> Iterator[Rings]:
+    """Hypotheses from every region, each region's best maps first."""
+    reach = 1.2 * graph.tolerance + 2
+    for region in regions:
+        corner, ring = snap(region.outline, graph, reach)
         if not 3 <= len(ring) <= 64:
             continue
+        islands = [snap(p, graph, reach)[1] for p in region.islands]
         rungs = rungs_of(corner, ring, graph)
         for h in _maps(ring, rungs, graph, most):
             back = homology.apply(h, ring)
-            if np.isfinite(back).all():
-                yield Rings((ring,), (back,))
+            if not np.isfinite(back).all():
+                continue
+            yield Rings((ring,), (back,))
+            if islands:
+                yield Rings((ring, *islands), (back, *(homology.apply(h, p) for p in islands)))
 
 
 def _maps(ring: Floats, rungs: list[tuple[int, int]], graph: CornerGraph, most: int) -> Floats:
@@ -138,9 +162,9 @@ def _maps(ring: Floats, rungs: list[tuple[int, int]], graph: CornerGraph, most: 
     pairs = np.array([p for p in combinations(range(len(r)), 2) if r[p[0], 0] != r[p[1], 0]], int).reshape(-1, 2)
     if len(pairs):
         parts.append(homology.similarity(src[pairs], dst[pairs]))
-    triples = np.array(
-        [t for t in combinations(range(len(r)), 3) if len({*r[list(t), 0]}) == 3][:600], int
-    ).reshape(-1, 3)
+    triples = np.array([t for t in combinations(range(len(r)), 3) if len({*r[list(t), 0]}) == 3][:600], int).reshape(
+        -1, 3
+    )
     if len(triples):
         parts.append(homology.homology(src[triples], dst[triples]))
     maps = np.concatenate(parts)

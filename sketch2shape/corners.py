@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.model import Floats, Ints
+from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes import Strokes
 
 
@@ -26,7 +26,7 @@ class Corners:
 
     points: Floats
     degree: Ints
-    on: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    on: Bools
     strokes: Ints
 
 
@@ -51,7 +51,7 @@ def join_ends(strokes: Strokes, pen: float) -> Corners:
 
 
 def _meeting_point(ends: Floats, direction: Floats) -> Floats:
-    """Least-squares intersection of the lines through the ends, held to the ends where the lines are nearly parallel."""
+    """Least-squares intersection of the lines through the ends, held to the ends where they are nearly parallel."""
     normal = np.c_[-direction[:, 1], direction[:, 0]]
     weight = 0.02
     a = normal.T @ normal + weight * np.eye(2) * len(ends)
@@ -79,7 +79,10 @@ def _cluster(ends: Floats, direction: Floats, lengths: Floats, tolerance: float,
         if a == b:
             continue
         members = np.flatnonzero((label == a) | (label == b))
-        if len(set(other[members])) == len(members) and _meet(ends[members], direction[members], reach[i[k], j[k]], base):
+        distinct = len(set(other[members])) == len(members)
+        if distinct and _meet(
+            ends[members], direction[members], reach[i[k], j[k]], base
+        ):
             label[members] = a
     return label
 
@@ -92,7 +95,7 @@ def _meet(ends: Floats, direction: Floats, reach: float, slack: float) -> bool:
     return bool(off_line.max() <= 0.5 * slack and np.linalg.norm(offset, axis=1).max() <= reach)
 
 
-def _on_interior(points: Floats, strokes: Strokes, reach: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+def _on_interior(points: Floats, strokes: Strokes, reach: float) -> Bools:
     """Whether each corner lies on the interior of a stroke."""
     a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
     length = np.linalg.norm(span, axis=1) + 1e-9

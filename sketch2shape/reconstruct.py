@@ -1,3 +1,97 @@
 """The pipeline: read -> ink -> strokes -> corners -> faces -> verified object -> solid."""
 
 from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from sketch2shape.errors import NoObjectError
+from sketch2shape.model import FacePair, Ink, TwoFaceObject
+from sketch2shape.result import Result
+from sketch2shape.search import Found, find_all
+
+if TYPE_CHECKING:
+    from sketch2shape.corrections import Corrections
+    from sketch2shape.lift import LiftOptions
+    from sketch2shape.limits import Limits
+
+REFUSE_BELOW = 0.5
+"""Confidence below which an answer is no answer."""
+
+
+def reconstruct(
+    source: Any,
+    *,
+    limits: Limits | None = None,
+    lift: LiftOptions | None = None,
+    corrections: Corrections | None = None,
+) -> Result:
+    """The solid shown in a drawing.
+
+    source      : path, bytes, PIL image, array (gray, RGB, RGBA) or `Picture`
+    limits      : what is refused before decoding
+    lift        : how to read the third dimension
+    corrections : what a person put right by hand; complete ones replace the reading
+
+    Raises UnreadableError, LimitError, or NoObjectError if no two-face object is found with enough confidence.
+    """
+    from sketch2shape.ink import find_ink
+    from sketch2shape.lift import LiftOptions, choose_front
+    from sketch2shape.lift import lift as lift_object
+    from sketch2shape.read import read_picture
+
+    timings: dict[str, float] = {}
+    options = lift or LiftOptions()
+    with _timed(timings, "read"):
+        picture = read_picture(source, limits)
+    if corrections is not None and corrections.complete:
+        from sketch2shape.corrections import corrected
+
+        return corrected(picture, corrections, options)
+    with _timed(timings, "ink"):
+        ink = find_ink(picture)
+    with _timed(timings, "faces"):
+        objects = tuple(_as_object(f, ink) for f in find_all(ink))
+    sure = tuple(choose_front(o) for o in objects if o.confidence >= REFUSE_BELOW)
+    if not sure:
+        raise NoObjectError(_why_not(objects, ink))
+    height, width = picture.pixels.shape[:2]
+    with _timed(timings, "lift"):
+        solids = tuple(lift_object(o, picture_size=(width, height), options=options) for o in sure)
+    return Result(sure, solids, picture, timings)
+
+
+@contextmanager
+def _timed(timings: dict[str, float], stage: str) -> Iterator[None]:
+    begin = time.perf_counter()
+    yield
+    timings[stage] = (time.perf_counter() - begin) * 1000
+
+
+def _as_object(found: Found, ink: Ink) -> TwoFaceObject:
+    """In picture pixels; the centre of a working pixel is the centre of the picture pixels it stands for."""
+    pairs = [
+        FacePair((a + 0.5) / ink.scale - 0.5, (b + 0.5) / ink.scale - 0.5)
+        for a, b in zip(found.rings.front, found.rings.back, strict=True)
+    ]
+    return TwoFaceObject(
+        pairs[0].f1,
+        pairs[0].f2,
+        tuple(pairs[1:]),
+        confidence=found.confidence,
+        lines=found.evidence.lines,
+        f2_drawn=found.evidence.drawn,
+        noise=found.noise / ink.scale,
+        page=ink.page,
+    )
+
+
+def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink) -> str:
+    if not ink.mask.any():
+        return "the picture is blank: no ink was found"
+    if not objects:
+        return "no two faces joined by connecting edges were found"
+    best = max(o.confidence for o in objects)
+    return f"the best two-face object explains the drawing too badly (confidence {best:.2f})"

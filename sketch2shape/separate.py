@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from sketch2shape import homology
@@ -189,7 +190,7 @@ def _refit(graph: CornerGraph, rungs: Ints, h: Floats) -> Floats:
     return h
 
 
-def cycles(ladder: Ladder, graph: CornerGraph, budget: int = 3000) -> Iterator[Ints]:
+def cycles(ladder: Ladder, budget: int = 3000) -> Iterator[Ints]:
     """Simple cycles of rungs, (n,) indices into ladder.rungs, each given once, long ones not first.
 
     No corner serves twice in one face; one may serve once in each (coincident vertices).
@@ -197,7 +198,7 @@ def cycles(ladder: Ladder, graph: CornerGraph, budget: int = 3000) -> Iterator[I
     links, rungs = ladder.links, ladder.rungs
     steps = 0
     for start in range(len(rungs)):
-        stack = [(start, (start,))]
+        stack: list[tuple[int, tuple[int, ...]]] = [(start, (start,))]
         while stack:
             node, path = stack.pop()
             steps += 1
@@ -219,3 +220,33 @@ def ring_pair(ladder: Ladder, graph: CornerGraph, cycle: Ints) -> Rings:
     """The two rings of a cycle of rungs."""
     pair = ladder.rungs[cycle]
     return Rings((graph.points[pair[:, 0]],), (graph.points[pair[:, 1]],))
+
+
+def with_holes(outer: Rings, others: list[Rings]) -> Rings | None:
+    """The outer rings with every other pair that lies inside both of them as a hole, the largest first."""
+    front, back = [*outer.front], [*outer.back]
+    for other in sorted(others, key=lambda r: -_area(r.front[0])):
+        a, b = other.front[0], other.back[0]
+        if _inside(a, front[0]) and _inside(b, back[0]) and not any(_overlap(a, f) for f in front[1:]):
+            front.append(a)
+            back.append(b)
+    return Rings(tuple(front), tuple(back)) if len(front) > 1 else None
+
+
+def _area(ring: Floats) -> float:
+    return float(cv2.contourArea(ring.astype(np.float32)))
+
+
+def _inside(points: Floats, ring: Floats) -> bool:
+    contour = ring.astype(np.float32)[:, None]
+    return all(cv2.pointPolygonTest(contour, (float(x), float(y)), True) > 1 for x, y in points)
+
+
+def _overlap(a: Floats, b: Floats) -> bool:
+    """Whether a vertex of one ring lies in or on the other."""
+    pairs = ((a, b), (b, a))
+    return any(
+        cv2.pointPolygonTest(ring.astype(np.float32)[:, None], (float(x), float(y)), False) >= 0
+        for points, ring in pairs
+        for x, y in points
+    )

@@ -10,12 +10,14 @@ may have strayed from a straight line.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Floats, Ink, Ints
+from sketch2shape.model import Bools, Floats, Ink
 
 
 @dataclass(frozen=True)
@@ -52,14 +54,14 @@ class Strokes:
     @property
     def lengths(self) -> Floats:
         """(k,) float, pixels."""
-        return np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1)
+        return np.asarray(np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1))
 
 
 def thin(ink: Ink) -> Skeleton:
     """Skeleton of the ink, split into its branches."""
     from skimage.morphology import skeletonize
 
-    mask = skeletonize(ink.mask).astype(np.uint8)
+    mask = skeletonize(ink.mask).astype(np.uint8)  # type: ignore[no-untyped-call]
     # one pixel of margin lets the neighbour count and the contours treat border pixels like all others
     padded = cv2.copyMakeBorder(mask, 1, 1, 1, 1, cv2.BORDER_CONSTANT)
     neighbours = cv2.filter2D(padded, cv2.CV_8U, np.ones((3, 3), np.uint8), borderType=cv2.BORDER_CONSTANT) - padded
@@ -102,20 +104,22 @@ def fit_line(points: Floats) -> tuple[Floats, Floats]:
     return centre, np.array([np.cos(angle), np.sin(angle)])
 
 
-def _pieces(skeleton: Skeleton, tolerance: float) -> list[Floats]:
+def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> list[Floats]:
     """Nearly straight runs of skeleton pixels."""
     pieces = []
     for path in skeleton.paths:
+        if where is not None and not where[int(path[0, 1]), int(path[0, 0])]:
+            continue
         if len(path) < 3:
             pieces.append(path)
             continue
         bends = cv2.approxPolyDP(path.astype(np.int32)[:, None], tolerance, False)[:, 0]
         index = _positions(path, bends)
-        pieces += [path[a : b + 1] for a, b in zip(index[:-1], index[1:], strict=True)]
+        pieces += [path[a : b + 1] for a, b in pairwise(index)]
     return pieces
 
 
-def _positions(path: Floats, bends: NDArray[np.int32]) -> list[int]:
+def _positions(path: Floats, bends: NDArray[Any]) -> list[int]:
     """Where along the path its bends lie."""
     found, start = [], 0
     for bend in bends:
@@ -159,20 +163,6 @@ def _joined(a: _Line, b: _Line, tolerance: float) -> _Line | None:
     return _Line(points, centre + np.outer([low, high], direction), a.inked + b.inked)
 
 
-def _gap_limit(a: _Line, b: _Line, bridge: float) -> float:
-    """How far apart two pieces of one line may be: the width of a crossing, or the gap of a dash pattern."""
-    shorter = min(float(np.linalg.norm(x.ends[1] - x.ends[0])) for x in (a, b))
-    return max(bridge, min(1.6 * shorter, 3.5 * bridge))
-
-
-def _bent(a: _Line, b: _Line, near: Floats, tolerance: float) -> bool:
-    """Two long pieces that meet at an angle are two strokes, however small the step between them."""
-    u, v = a.ends[1] - a.ends[0], b.ends[1] - b.ends[0]
-    la, lb = float(np.linalg.norm(u)), float(np.linalg.norm(v))
-    sine = abs(float(u[0] * v[1] - u[1] * v[0])) / (la * lb + 1e-9)
-    return sine > 0.05 + 2.5 * tolerance / (min(la, lb) + 1e-9)
-
-
 def _merge(lines: list[_Line], tolerance: float, bridge: float) -> list[_Line]:
     """Merge pieces of one line, the closest ends first, until nothing fits any more."""
     while True:
@@ -208,13 +198,14 @@ def _close_pairs(lines: list[_Line], tolerance: float, bridge: float) -> list[tu
     return [(int(i[k]), int(j[k])) for k in order]
 
 
-def trace_strokes(skeleton: Skeleton, tolerance: float) -> Strokes:
+def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = None) -> Strokes:
     """Straight strokes of a drawing.
 
     tolerance : pixels, how far a drawn line may stray from a straight one
+    where     : (h, w) bool, ink to look at; all of it if None
     """
     pen = skeleton.pen_width
-    lines = [_straighten(p, pen) for p in _pieces(skeleton, tolerance) if len(p) >= 2]
+    lines = [_straighten(p, pen) for p in _pieces(skeleton, tolerance, where) if len(p) >= 2]
     bridge = 2.5 * pen + 2 * tolerance + 2
     lines = _merge(lines, tolerance, bridge) if lines else []
     lines.sort(key=lambda line: -float(np.linalg.norm(line.ends[1] - line.ends[0])))
@@ -236,7 +227,4 @@ def coverage(distance: NDArray[np.float32], a: Floats, b: Floats, reach: float, 
     h, w = distance.shape
     x = np.clip(np.rint(p[..., 0]).astype(np.intp), 0, w - 1)
     y = np.clip(np.rint(p[..., 1]).astype(np.intp), 0, h - 1)
-    return (distance[y, x] <= reach).mean(axis=1)
-
-
-Indices = Ints
+    return np.asarray((distance[y, x] <= reach).mean(axis=1))

@@ -85,7 +85,7 @@ def edge_samples(rings: Rings, samples: int = SAMPLES) -> tuple[Floats, Floats]:
     return a + s * (b - a), base_a + s * (base_b - base_a)
 
 
-def hidden_samples(rings: Rings, shape: tuple[int, int], margin: float) -> Bools:
+def hidden_samples(rings: Rings, margin: float) -> Bools:
     """Which edge samples lie behind the object: (3m, SAMPLES) bool."""
     points, base = edge_samples(rings)
     low = np.floor(np.minimum(points.min(axis=(0, 1)), base.min(axis=(0, 1)))) - 3
@@ -123,7 +123,7 @@ def judge(rings: Rings, sheet: Sheet) -> Evidence:
     outside = (x < 0) | (y < 0) | (x >= w) | (y >= h)
     near = sheet.distance[np.clip(y, 0, h - 1), np.clip(x, 0, w - 1)] <= sheet.reach
     near &= ~outside
-    hidden = hidden_samples(rings, (h, w), 1.5 * sheet.reach)
+    hidden = hidden_samples(rings, 1.5 * sheet.reach)
     v = rings.vertices
     edges = ring_edges([len(r) for r in rings.front])
     lengths = np.linalg.norm(v[edges[:, 1]] - v[edges[:, 0]], axis=1)
@@ -133,7 +133,7 @@ def judge(rings: Rings, sheet: Sheet) -> Evidence:
     if lines == "dashed":
         support = min(support, 0.6 * support + 0.4 * min(1.0, _support(near, hidden, lengths)[0] / 0.45))
     shown = wanted if lines == "removed" else np.ones_like(wanted)
-    explained = _explained(points, shown, sheet, lengths)
+    explained = _explained(points, shown, sheet)
     score = 2 * support * explained / (support + explained + 1e-9)
     score *= min(1.0, 0.5 + 0.5 * weakest / 0.75)
     return Evidence(score, support, explained, weakest, lines, _drawn(near, rings, shown))
@@ -171,7 +171,7 @@ def _line_style(near: Bools, hidden: Bools, lengths: Floats) -> Lines:
     return "wire" if share > 0.93 else "dashed" if share > 0.3 else "removed"
 
 
-def _explained(points: Floats, shown: Bools, sheet: Sheet, lengths: Floats) -> float:
+def _explained(points: Floats, shown: Bools, sheet: Sheet) -> float:
     """Weighted part of the skeleton within reach of the shown parts of the edges."""
     if not len(sheet.points):
         return 0.0
