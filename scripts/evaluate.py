@@ -168,8 +168,8 @@ def scored(truth: Case, found: Case) -> Case:
     answers = found["answers"]
     verdict = metrics.judge(truth, answers)
     cause = verdict.cause
-    if not answers and not verdict.exact:
-        cause = found["message"] or "nothing reported"
+    if found["status"] != "ok" and not (verdict.exact and found["status"] == "refused"):
+        cause = found["message"]
     error = float("nan")
     if verdict.exact and verdict.match is not None:
         error = metrics.solid_error(truth, answers[0], verdict.match)

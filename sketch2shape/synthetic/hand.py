@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,6 +23,7 @@ class Hand:
     shift    : standard deviation of each vertex from its exact place (faces are then no exact translations)
     twice    : probability that a stroke is drawn twice
     rounding : radius by which the corners of the faces are rounded off
+    blobs    : probability that the pen rests at a stroke's end and leaves a blot
     """
 
     wobble: float = 0.0
@@ -33,25 +34,18 @@ class Hand:
     shift: float = 0.0
     twice: float = 0.0
     rounding: float = 0.0
+    blobs: float = 0.0
 
     def scaled(self, factor: float) -> Hand:
         """The same hand on a sheet `factor` times as large."""
-        f = factor
-        return Hand(
-            self.wobble * f,
-            self.bow,
-            self.over * f,
-            self.gap * f,
-            self.miss * f,
-            self.shift * f,
-            self.twice,
-            self.rounding * f,
-        )
+        lengths = {k: factor * getattr(self, k) for k in ("wobble", "over", "gap", "miss", "shift", "rounding")}
+        return replace(self, **lengths)
 
 
 RULER = Hand()
 STEADY = Hand(wobble=0.7, bow=0.006, over=2.0, gap=1.0, miss=0.6, shift=0.8)
 LOOSE = Hand(wobble=1.3, bow=0.012, over=5.0, gap=3.0, miss=1.4, shift=2.0, twice=0.2)
+TABLET = Hand(wobble=1.2, bow=0.03, over=6.0, gap=5.0, miss=3.0, shift=4.0, twice=0.05, blobs=0.25)
 HEAVY = Hand(wobble=3.0, bow=0.02, over=7.0, gap=4.0, miss=2.2, shift=3.0, twice=0.25)
 
 
@@ -116,6 +110,8 @@ def _pulls(p: Floats, q: Floats, hidden: bool, hand: Hand, rng: np.random.Genera
             reach = max(reach, -0.15 * length)
             ends.append(sign * reach * along + rng.normal(0, 1, 2) * min(hand.miss, 0.05 * length))
         out.append(Stroke(_wavy(p + ends[0], q + ends[1], hand, rng), hidden, float(rng.uniform(0.9, 1.1))))
+        if hand.blobs and not hidden and rng.random() < hand.blobs:
+            out.append(Stroke(np.array([q + ends[1], q + ends[1] + 0.5]), False, float(rng.uniform(1.4, 2.2))))
     return out
 
 

@@ -145,6 +145,44 @@ def caption(_scene: Scene, points: Floats, size: tuple[int, int], _pen: Pen, rng
     return out
 
 
+def leaders(_scene: Scene, points: Floats, size: tuple[int, int], pen: Pen, rng: np.random.Generator) -> Coverage:
+    """Reference numbers with a curved line to an edge, as patents have them."""
+    fine, out, strokes = Pen(max(pen.width * 0.6, 1.0)), np.zeros(size[::-1], np.float32), []
+    centre = points.mean(0)
+    for i in rng.choice(len(points), min(3, len(points)), replace=False):
+        away = (points[i] - centre) / max(float(np.linalg.norm(points[i] - centre)), 1e-9)
+        touch = points[i] - 0.2 * (points[i] - points[i - 1])
+        tip = points[i] + away * rng.uniform(28, 45) * size[0] / 800
+        bend = (touch + tip) / 2 + 8 * np.array([-away[1], away[0]])
+        t = np.linspace(0, 1, 12)[:, None]
+        strokes.append(Stroke((1 - t) ** 2 * touch + 2 * t * (1 - t) * bend + t**2 * tip))
+        at = tip + away * 12
+        number = text(str(int(rng.integers(10, 140))), (float(at[0]), float(at[1])), 12 * size[0] / 800, size, "print")
+        out = np.maximum(out, number)
+    return np.maximum(out, coverage(strokes, fine, size, rng))
+
+
+def hatching(scene: Scene, points: Floats, size: tuple[int, int], pen: Pen, rng: np.random.Generator) -> Coverage:
+    """The front face hatched, as sections are."""
+    pitch = float(rng.uniform(7, 12)) * size[0] / 800
+    w, h = size
+    lines = [Stroke(np.array([[c, 0], [c - h, h]], float)) for c in np.arange(0, w + h, pitch * np.sqrt(2))]
+    mask = np.zeros((h, w), np.uint8)
+    ring = np.round(points[: scene.sizes[0]] * 16).astype(np.int32)
+    cv2.fillPoly(mask, [ring.reshape(-1, 1, 2)], 1, cv2.LINE_8, 4)
+    return np.asarray(coverage(lines, Pen(max(pen.width * 0.5, 1.0)), size, rng) * mask, np.float32)
+
+
+def construction(scene: Scene, points: Floats, size: tuple[int, int], pen: Pen, rng: np.random.Generator) -> Coverage:
+    """Faint lines drawn beyond the corners first, as draughtsmen do."""
+    strokes = []
+    for a, b, _ in scene.edges:
+        beyond = (points[b] - points[a]) * rng.uniform(0.08, 0.25)
+        strokes.append(Stroke(np.array([points[a] - beyond, points[b] + beyond])))
+    faint = coverage(strokes, Pen(max(pen.width * 0.5, 1.0)), size, rng)
+    return np.asarray(faint * rng.uniform(0.15, 0.35), np.float32)
+
+
 def shading(scene: Scene, points: Floats, size: tuple[int, int], lines: str, rng: np.random.Generator) -> Coverage:
     """Grey for the faces a viewer sees, (h, w) 0..0.45; in wire drawings for the front face alone."""
     w, h = size
@@ -171,4 +209,7 @@ MARKS: dict[str, Mark] = {
     "dots": dots,
     "diagonals": diagonals,
     "caption": caption,
+    "leaders": leaders,
+    "hatching": hatching,
+    "construction": construction,
 }

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sketch2shape.synthetic.hand import HEAVY, LOOSE, RULER, STEADY, Hand
+from sketch2shape.synthetic.hand import HEAVY, LOOSE, RULER, STEADY, TABLET, Hand
 from sketch2shape.synthetic.pens import Pen
 
 RGB = tuple[int, int, int]
@@ -170,6 +170,21 @@ def _jpeg(rng: np.random.Generator) -> Style:
     return Style(pen=Pen(float(rng.uniform(1.5, 2.5)), dash=dash_of(rng)), suffix=".jpg")
 
 
+def _tablet(rng: np.random.Generator) -> Style:
+    pen = Pen(float(rng.uniform(5, 13)), (0, 0, 0), crisp=True, dash=(1.6, 1.5))
+    return Style((560, 480), pen, TABLET.scaled(float(rng.uniform(0.6, 1.2))))
+
+
+def _textbook(rng: np.random.Generator) -> Style:
+    pen = Pen(float(rng.uniform(4, 7)), (25, 25, 25), dash=(1.6, 1.0))
+    return Style((620, 520), pen, capture="clipping", suffix=".jpg")
+
+
+def _faint(rng: np.random.Generator) -> Style:
+    pen = Pen(float(rng.uniform(1.4, 3)), dash=None, faint=float(rng.uniform(0.45, 0.75)))
+    return Style(pen=pen)
+
+
 MEDIA: dict[str, Callable[[np.random.Generator], Style]] = {
     "clean": _clean,
     "thin": _thin,
@@ -194,4 +209,7 @@ MEDIA: dict[str, Callable[[np.random.Generator], Style]] = {
     "lowres": _lowres,
     "large": _large,
     "jpeg": _jpeg,
+    "tablet": _tablet,
+    "textbook": _textbook,
+    "faint": _faint,
 }

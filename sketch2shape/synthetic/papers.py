@@ -147,12 +147,24 @@ def thumbnail(image: Image, rng: np.random.Generator) -> tuple[Image, Floats]:
     return np.asarray(small + 0.4 * (small - soft), np.float32), m
 
 
+def clipping(image: Image, rng: np.random.Generator) -> tuple[Image, Floats]:
+    """The small, soft scan of an old textbook, about 110 to 190 pixels wide."""
+    h, w = image.shape[:2]
+    factor = float(rng.uniform(110, 190)) / w
+    small = cv2.resize(image, (round(w * factor), round(h * factor)), interpolation=cv2.INTER_AREA)
+    soft = cv2.GaussianBlur(small, (0, 0), float(rng.uniform(0.4, 0.8)))
+    fx, fy = small.shape[1] / w, small.shape[0] / h
+    m = np.array([[fx, 0, (fx - 1) / 2], [0, fy, (fy - 1) / 2], [0, 0, 1]])
+    return np.asarray(soft, np.float32), m
+
+
 CAPTURES: dict[str, Capture] = {
     "direct": direct,
     "noisy": noisy,
     "scan": scan,
     "photo": photo,
     "thumbnail": thumbnail,
+    "clipping": clipping,
 }
 
 

@@ -23,7 +23,9 @@ class Pen:
     alpha   : 0..1, how much of the paper the ink covers
     grain   : 0..1, how much the paper's texture breaks the stroke up (pencil, chalk)
     uneven  : 0..1, variation of the ink along the strokes (ball pen)
-    dash    : (drawn, left out) lengths of hidden strokes, in pen widths + 4 pixels; drawn 0 = dots
+    dash    : (drawn, left out) lengths of hidden strokes, in pen widths + 4 pixels; drawn 0 = dots, None = unbroken
+    faint   : 0..1, how much less ink hidden strokes get
+    crisp   : edges without grey in between, as old programs and thresholded scans have them
     """
 
     width: float = 2.0
@@ -31,7 +33,9 @@ class Pen:
     alpha: float = 1.0
     grain: float = 0.0
     uneven: float = 0.0
-    dash: tuple[float, float] = (1.6, 1.1)
+    dash: tuple[float, float] | None = (1.6, 1.1)
+    faint: float = 0.0
+    crisp: bool = False
 
 
 def coverage(strokes: list[Stroke], pen: Pen, size: tuple[int, int], rng: np.random.Generator) -> Coverage:
@@ -39,10 +43,14 @@ def coverage(strokes: list[Stroke], pen: Pen, size: tuple[int, int], rng: np.ran
     w, h = size
     fine = 4 if w * h <= 1_500_000 else 2
     canvas = np.zeros((h * fine, w * fine), np.uint8)
-    for stroke in strokes:
+    # Faint strokes first: others cross over them.
+    for stroke in sorted(strokes, key=lambda s: not s.hidden):
+        ink = round(255 * (1 - pen.faint)) if stroke.hidden else 255
         for path in dashes(stroke.path, pen) if stroke.hidden else [stroke.path]:
-            _draw(canvas, path, pen.width * stroke.weight, fine)
+            _draw(canvas, path, pen.width * stroke.weight, fine, ink)
     out = cv2.resize(canvas, (w, h), interpolation=cv2.INTER_AREA).astype(np.float32) / 255
+    if pen.crisp:
+        out = np.round(out)
     if pen.grain:
         out *= 1 - pen.grain * _texture(size, 0.8, rng)
     if pen.uneven:
@@ -52,6 +60,8 @@ def coverage(strokes: list[Stroke], pen: Pen, size: tuple[int, int], rng: np.ran
 
 def dashes(path: Floats, pen: Pen) -> list[Floats]:
     """The polyline cut into dashes (or dots, as very short pieces); the last dash reaches the end."""
+    if pen.dash is None:
+        return [path]
     unit = pen.width + 4
     drawn, gap = pen.dash[0] * unit, pen.dash[1] * unit
     steps = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
@@ -67,10 +77,10 @@ def dashes(path: Floats, pen: Pen) -> list[Floats]:
     return out
 
 
-def _draw(canvas: NDArray[np.uint8], path: Floats, width: float, fine: int) -> None:
+def _draw(canvas: NDArray[np.uint8], path: Floats, width: float, fine: int, ink: int) -> None:
     points = np.round(((path + 0.5) * fine - 0.5) * 16).astype(np.int32)
     thickness = max(round(width * fine), 1)
-    cv2.polylines(canvas, [points.reshape(-1, 1, 2)], False, 255, thickness, cv2.LINE_8, 4)
+    cv2.polylines(canvas, [points.reshape(-1, 1, 2)], False, ink, thickness, cv2.LINE_8, 4)
 
 
 def _texture(size: tuple[int, int], grain: float, rng: np.random.Generator) -> Coverage:

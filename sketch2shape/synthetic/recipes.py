@@ -86,6 +86,15 @@ RECIPES: dict[str, Recipe] = {
     "shaded_wire": Recipe(Wish(PARALLEL), marks=("shading",)),
     "shaded_removed": Recipe(Wish(ALL, lines="removed"), marks=("shading",)),
     "shaded_dashed": Recipe(Wish(PARALLEL, lines="dashed"), ("clean", "coloured"), marks=("shading",)),
+    "tablet_wire": Recipe(Wish(PARALLEL, "convex"), ("tablet",)),
+    "tablet_removed": Recipe(Wish(PARALLEL, "convex", "removed"), ("tablet",)),
+    "textbook_wire": Recipe(Wish(PARALLEL, "convex"), ("textbook",)),
+    "textbook_dashed": Recipe(Wish(PARALLEL, "convex", "dashed"), ("textbook",)),
+    "textbook_removed": Recipe(Wish(PARALLEL, "everyday", "removed"), ("textbook",)),
+    "faint_hidden": Recipe(Wish(ALL, lines="dashed"), ("faint",)),
+    "leaders": Recipe(Wish(PARALLEL, lines="removed"), marks=("leaders",)),
+    "hatching": Recipe(Wish(PARALLEL, lines="removed"), marks=("hatching",)),
+    "construction": Recipe(Wish(PARALLEL, lines="removed"), ("clean", "pencil"), marks=("construction",)),
     "dots": Recipe(Wish(PARALLEL), marks=("dots",)),
     "diagonals": Recipe(Wish(PARALLEL), marks=("diagonals",)),
     "cut": Recipe(Wish(PARALLEL), marks=("cut",)),
@@ -95,4 +104,4 @@ RECIPES: dict[str, Recipe] = {
 
 def annotated(recipe: Recipe) -> bool:
     """Whether something is written beside the object, which then needs room."""
-    return any(m not in ("shading", "cut", "dots", "diagonals") for m in recipe.marks)
+    return any(m not in ("shading", "cut", "dots", "diagonals", "hatching") for m in recipe.marks)
