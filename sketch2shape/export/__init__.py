@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketch2shape.export.encode import FORMATS, encode, format_of
+from sketch2shape.export.encode import FORMATS, MESH_FORMATS, encode, format_of
 from sketch2shape.export.mesh import mesh_faces, to_trimesh
 
-__all__ = ["FORMATS", "encode", "format_of", "mesh_faces", "to_trimesh"]
+__all__ = ["FORMATS", "MESH_FORMATS", "encode", "format_of", "mesh_faces", "to_trimesh"]

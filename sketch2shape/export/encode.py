@@ -12,34 +12,69 @@ from sketch2shape.model import Solid
 if TYPE_CHECKING:
     from sketch2shape.result import Result
 
-Encoder = Callable[[Sequence[Solid]], bytes]
+#: format -> what it is
+FORMATS: dict[str, str] = {
+    "obj": "Wavefront OBJ",
+    "stl": "binary STL",
+    "stl-ascii": "STL as text",
+    "ply": "binary PLY",
+    "glb": "binary glTF",
+    "3mf": "3MF for 3-D printing, with its unit",
+    "off": "OFF as text",
+    "step": "STEP AP214 with plane faces, for CAD",
+    "svg": "the cleaned drawing, visible and hidden lines in groups",
+    "dxf": "the cleaned drawing, visible and hidden lines on layers",
+    "face.svg": "the true front face laid flat",
+    "face.dxf": "the true front face laid flat",
+}
+
+#: formats that hold the solid itself
+MESH_FORMATS = ("obj", "stl", "stl-ascii", "ply", "glb", "3mf", "off", "step")
+
+_SUFFIXES = {**{name: name for name in FORMATS if name != "stl-ascii"}, "stp": "step"}
+
+#: formats that need the objects in the picture besides the solids
+_DRAWINGS = ("svg", "dxf")
 
 
 def encode(result: Result | Solid | Sequence[Solid], format: str, *, ngons: bool = False) -> bytes:
     """The file's bytes for a result, a solid or several solids (one body each).
 
-    format : a key of `FORMATS`, see there
+    format : a key of `FORMATS`; the drawings "svg" and "dxf" need a whole result
     ngons  : in OBJ, write whole polygons as faces instead of triangles
 
     Raises UsageError for an unknown format.
     """
     from sketch2shape.result import Result
 
-    many = result.solids if isinstance(result, Result) else result
-    solids = (many,) if isinstance(many, Solid) else tuple(many)
     if format not in FORMATS:
         raise UsageError(f"unknown format {format!r}", remedy=f"one of {', '.join(FORMATS)}")
-    if format == "obj":
-        return _obj(solids, ngons=ngons)
-    return _ENCODERS[format](solids)
+    if format in _DRAWINGS:
+        if not isinstance(result, Result):
+            raise UsageError(f"{format} shows the drawing and needs a whole result, not solids alone")
+        return _drawing(result, format)
+    many = result.solids if isinstance(result, Result) else result
+    solids = (many,) if isinstance(many, Solid) else tuple(many)
+    return _obj(solids, ngons=ngons) if format == "obj" else _ENCODERS[format](solids)
 
 
 def format_of(path: str | PurePath) -> str:
-    """The format meant by a file name's extension. Raises UsageError if there is none."""
-    suffix = PurePath(path).suffix.lower().lstrip(".")
-    if suffix not in _SUFFIXES:
-        raise UsageError(f"no format has the extension {suffix!r}", remedy=f"one of {', '.join(_SUFFIXES)}")
-    return _SUFFIXES[suffix]
+    """The format meant by a file name: "a.stl" is "stl", "a.face.dxf" is "face.dxf". Raises UsageError if none is."""
+    suffixes = [s.lower().lstrip(".") for s in PurePath(path).suffixes]
+    for name in (".".join(suffixes[-2:]), *suffixes[-1:]):
+        if name in _SUFFIXES:
+            return _SUFFIXES[name]
+    last = suffixes[-1] if suffixes else ""
+    raise UsageError(f"no format has the extension {last!r}", remedy=f"one of {', '.join(_SUFFIXES)}")
+
+
+def _drawing(result: Result, format: str) -> bytes:
+    from sketch2shape.export.drawing import drawing_dxf, drawing_svg
+
+    height, width = result.picture.pixels.shape[:2]
+    if format == "dxf":
+        return drawing_dxf(result.objects, result.solids).encode()
+    return drawing_svg(result.objects, result.solids, (width, height)).encode()
 
 
 def _obj(solids: Sequence[Solid], *, ngons: bool = False) -> bytes:
@@ -48,52 +83,66 @@ def _obj(solids: Sequence[Solid], *, ngons: bool = False) -> bytes:
     return obj_text(solids, ngons=ngons).encode()
 
 
-def _through_trimesh(file_type: str, **options: Any) -> Encoder:
+def _through_trimesh(file_type: str) -> Callable[[Sequence[Solid]], bytes]:
     """An encoder for a format that holds a single mesh."""
 
     def encoder(solids: Sequence[Solid]) -> bytes:
         from sketch2shape.export.mesh import to_trimesh
 
-        data = to_trimesh(solids).export(file_type=file_type, **options)
+        data: Any = to_trimesh(solids).export(file_type=file_type)
         return data.encode() if isinstance(data, str) else bytes(data)
 
     return encoder
 
 
-def _scene(solids: Sequence[Solid]) -> Any:
-    """A trimesh scene with a named geometry for each solid."""
-    import trimesh
+def _glb(solids: Sequence[Solid]) -> bytes:
+    """glTF with a named mesh for each solid; its unit is the metre, a pixel counts as one unit."""
+    from trimesh import Scene
 
     from sketch2shape.export.mesh import to_trimesh
+    from sketch2shape.export.units import MILLIMETRES
 
-    scene = trimesh.Scene()
+    scene: Any = Scene()
     for number, solid in enumerate(solids, 1):
-        scene.add_geometry(to_trimesh(solid), geom_name=f"object_{number}", node_name=f"object_{number}")
-    scene.units = solids[0].unit if solids else "px"
-    return scene
+        mesh: Any = to_trimesh(solid)
+        if solid.unit != "px":
+            mesh.apply_scale(MILLIMETRES[solid.unit] / 1000.0)
+        scene.add_geometry(mesh, geom_name=f"object_{number}", node_name=f"object_{number}")
+    return bytes(scene.export(file_type="glb"))
 
 
-def _glb(solids: Sequence[Solid]) -> bytes:
-    return bytes(_scene(solids).export(file_type="glb"))
+def _threemf(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.threemf import threemf_bytes
+
+    return threemf_bytes(solids)
 
 
-_ENCODERS: dict[str, Encoder] = {
-    "obj": _obj,
+def _step(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.step import step_text
+
+    return step_text(solids).encode()
+
+
+def _face_svg(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.drawing import face_svg
+
+    return face_svg(solids).encode()
+
+
+def _face_dxf(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.drawing import face_dxf
+
+    return face_dxf(solids).encode()
+
+
+_ENCODERS: dict[str, Callable[[Sequence[Solid]], bytes]] = {
     "stl": _through_trimesh("stl"),
     "stl-ascii": _through_trimesh("stl_ascii"),
     "ply": _through_trimesh("ply"),
     "off": _through_trimesh("off"),
     "glb": _glb,
+    "3mf": _threemf,
+    "step": _step,
+    "face.svg": _face_svg,
+    "face.dxf": _face_dxf,
 }
-
-#: format -> what it is
-FORMATS: dict[str, str] = {
-    "obj": "Wavefront OBJ",
-    "stl": "binary STL",
-    "stl-ascii": "STL as text",
-    "ply": "binary PLY",
-    "glb": "binary glTF",
-    "off": "OFF as text",
-}
-
-_SUFFIXES = {"obj": "obj", "stl": "stl", "ply": "ply", "glb": "glb", "off": "off"}

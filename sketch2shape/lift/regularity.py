@@ -138,7 +138,8 @@ def _angle_odds(relations: Relations, angle: Floats, spread: Floats) -> Floats:
     share = 2.0 / max(angle.shape[1] - 1.0, 2.0)
     total: Floats = share * np.log(left + odds).sum(axis=1)
     # some faces are not made of special angles at all
-    return np.logaddexp(np.log(1.0 - _IRREGULAR) + total, np.log(_IRREGULAR))
+    odds_of_face: Floats = np.logaddexp(np.log(1.0 - _IRREGULAR) + total, np.log(_IRREGULAR))
+    return odds_of_face
 
 
 def _symmetry_odds(relations: Relations, shapes: Floats, maps: Floats, noise: float) -> Floats:

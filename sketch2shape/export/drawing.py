@@ -1,0 +1,123 @@
+"""The cleaned drawing as lines, and the true face laid flat, as SVG and DXF.
+
+The drawing has its visible and hidden lines on two layers, in pixels of the picture. The true face is the front face
+in its own plane, at full size: what one would cut or print to fold, mill or trace it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sketch2shape.export.hidden import Line, drawing_lines
+from sketch2shape.export.mesh import cap_plane
+from sketch2shape.model import Floats, Solid, TwoFaceObject
+
+LAYERS = ("visible", "hidden")
+
+#: gap between faces laid side by side, as a part of the widest
+_GAP = 0.1
+
+_SVG = '<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{x:.6g} {y:.6g} {w:.6g} {h:.6g}">\n{body}\n</svg>\n'
+
+
+def drawing_svg(objects: Sequence[TwoFaceObject], solids: Sequence[Solid], size: tuple[int, int]) -> str:
+    """The cleaned drawing as SVG: for each object a group for each layer; size is the picture's, pixels."""
+    bodies = []
+    for number, (obj, solid) in enumerate(zip(objects, solids, strict=True), 1):
+        lines = drawing_lines(obj, solid)
+        layers = "\n".join(_svg_layer(lines, layer) for layer in LAYERS)
+        bodies.append(f'<g id="object_{number}" fill="none" stroke="black" stroke-linecap="round">\n{layers}\n</g>')
+    width, height = size
+    head = f'width="{width}" height="{height}"'
+    # the centre of the first pixel is (0, 0), its corner half a pixel before
+    return _SVG.format(size=head, x=-0.5, y=-0.5, w=width, h=height, body="\n".join(bodies))
+
+
+def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> str:
+    """The cleaned drawing as DXF (release 12), layers VISIBLE and HIDDEN, y upward, one unit a pixel."""
+    entities: list[str] = []
+    for obj, solid in zip(objects, solids, strict=True):
+        for line in drawing_lines(obj, solid):
+            (x1, y1), (x2, y2) = line.start, line.end
+            layer = "VISIBLE" if line.visible else "HIDDEN"
+            entities += ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
+    return _dxf({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities)
+
+
+def face_svg(solids: Sequence[Solid]) -> str:
+    """The true front faces side by side as SVG at full size, holes cut out; pixels become user units."""
+    faces = _laid_out(solids)
+    high = max((float(np.ptp(face[:, 1])) for face, _ in faces), default=1.0)
+    wide = max((float(face[:, 0].max()) for face, _ in faces), default=1.0)
+    unit = solids[0].unit if solids else "px"
+    size = f'width="{wide:.6g}{unit}" height="{high:.6g}{unit}"' if unit != "m" else ""
+    stroke = 0.003 * max(wide, high)
+    paths = [
+        f'<path id="face_{number}" fill="none" fill-rule="evenodd" stroke="black" stroke-width="{stroke:.4g}" '
+        f'd="{_path(face, sizes)}"/>'
+        for number, (face, sizes) in enumerate(faces, 1)
+    ]
+    return _SVG.format(size=size, x=-stroke, y=-stroke, w=wide + 2 * stroke, h=high + 2 * stroke, body="\n".join(paths))
+
+
+def face_dxf(solids: Sequence[Solid]) -> str:
+    """The true front faces side by side as closed DXF polylines, layers FACE and HOLES, y up, in the solids' unit."""
+    entities: list[str] = []
+    for face, sizes in _laid_out(solids):
+        for layer, ring in zip(["FACE"] + ["HOLES"] * (len(sizes) - 1), _rings(face, sizes), strict=True):
+            entities += ["0", "POLYLINE", "8", layer, "66", "1", "70", "1", *_pair(10, 0.0, 0.0), "30", "0.0"]
+            for x, y in ring:
+                entities += ["0", "VERTEX", "8", layer, *_pair(10, x, -y)]
+            entities += ["0", "SEQEND", "8", layer]
+    return _dxf({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities)
+
+
+def _svg_layer(lines: list[Line], layer: str) -> str:
+    """One layer's lines as a single path."""
+    style = ' stroke-width="1.5"' if layer == "visible" else ' stroke-width="1" stroke-dasharray="5 4"'
+    shown = [line for line in lines if line.visible == (layer == "visible")]
+    path = " ".join("M{:.3f} {:.3f}L{:.3f} {:.3f}".format(*line.start, *line.end) for line in shown)
+    return f'<g class="{layer}"{style}><path d="{path}"/></g>'
+
+
+def _laid_out(solids: Sequence[Solid]) -> list[tuple[Floats, list[int]]]:
+    """Each front face in its own plane, from the left to the right, tops at 0."""
+    faces: list[tuple[Floats, list[int]]] = []
+    flat = [cap_plane(s) for s in solids]
+    gap = _GAP * max((float(np.ptp(f[:, 0])) for f in flat), default=0.0)
+    left = 0.0
+    for face, solid in zip(flat, solids, strict=True):
+        moved = face - face.min(axis=0) + [left, 0.0]
+        faces.append((moved, list(solid.ring_sizes)))
+        left = float(moved[:, 0].max()) + gap
+    return faces
+
+
+def _rings(face: Floats, sizes: list[int]) -> list[Floats]:
+    return np.split(face, np.cumsum(sizes)[:-1])
+
+
+def _path(face: Floats, sizes: list[int]) -> str:
+    rings = ("L".join(f"{x:.6g} {y:.6g}" for x, y in ring) for ring in _rings(face, sizes))
+    return " ".join(f"M{ring}Z" for ring in rings)
+
+
+def _pair(code: int, x: float, y: float) -> list[str]:
+    return [str(code), f"{x:.6f}", str(code + 10), f"{y:.6f}"]
+
+
+def _dxf(layers: dict[str, str], entities: list[str]) -> str:
+    """A whole release 12 file around the entities."""
+    line_types = ["0", "LTYPE", "2", "CONTINUOUS", "70", "0", "3", "Solid", "72", "65", "73", "0", "40", "0.0"]
+    line_types += ["0", "LTYPE", "2", "DASHED", "70", "0", "3", "Dashed", "72", "65", "73", "2", "40", "12.0"]
+    line_types += ["49", "8.0", "49", "-4.0"]
+    table: list[str] = []
+    for name, line_type in layers.items():
+        table += ["0", "LAYER", "2", name, "70", "0", "62", "7" if line_type == "CONTINUOUS" else "8", "6", line_type]
+    rows = ["0", "SECTION", "2", "HEADER", "9", "$ACADVER", "1", "AC1009", "0", "ENDSEC"]
+    rows += ["0", "SECTION", "2", "TABLES", "0", "TABLE", "2", "LTYPE", "70", "2", *line_types, "0", "ENDTAB"]
+    rows += ["0", "TABLE", "2", "LAYER", "70", str(len(layers)), *table, "0", "ENDTAB", "0", "ENDSEC"]
+    rows += ["0", "SECTION", "2", "ENTITIES", *entities, "0", "ENDSEC", "0", "EOF"]
+    return "\n".join(rows) + "\n"

@@ -1,0 +1,124 @@
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from sketch2shape.errors import UsageError
+from sketch2shape.export import encode, format_of
+from sketch2shape.export.hidden import drawing_lines
+from sketch2shape.lift import LiftOptions, lift
+from sketch2shape.model import FacePair, Picture, TwoFaceObject
+from sketch2shape.result import Result
+
+FACE = np.array([[100, 100], [300, 100], [300, 250], [100, 250.0]])
+BOX = TwoFaceObject(FACE, FACE + [60, -50])
+HOLE = np.array([[150, 150], [250, 150], [250, 200], [150, 200.0]])
+
+
+def result(*objects, **options):
+    solids = tuple(lift(o, options=LiftOptions(**options)) for o in objects)
+    return Result(tuple(objects), solids, Picture(np.zeros((480, 640, 3), np.uint8)))
+
+
+def hidden_length(obj, **options):
+    lines = drawing_lines(obj, lift(obj, options=LiftOptions(**options)))
+    return sum(np.linalg.norm(line.end - line.start) for line in lines if not line.visible)
+
+
+@pytest.mark.parametrize("up", [None, "y", "z"])
+def test_the_three_far_edges_of_a_box_are_hidden(up):
+    lines = drawing_lines(BOX, lift(BOX, options=LiftOptions(up=up)))
+    gone = {frozenset(BOX.edges[line.edge].tolist()) for line in lines if not line.visible}
+    # the far lower left corner is vertex 7: its three edges are behind the box
+    assert gone == {frozenset((6, 7)), frozenset((7, 4)), frozenset((3, 7))}
+
+
+def test_mirrored_reading_hides_the_other_corner():
+    lines = drawing_lines(BOX, lift(BOX, options=LiftOptions(necker=True)))
+    gone = {frozenset(BOX.edges[line.edge].tolist()) for line in lines if not line.visible}
+    assert gone == {frozenset((0, 1)), frozenset((1, 2)), frozenset((1, 5))}
+
+
+def test_perspective_box_hides_three_edges():
+    box = np.array([[x, y, z] for z in (0, 2) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], float)
+    a, e = 0.6, 0.4
+    yaw = np.array([[np.cos(a), 0, np.sin(a)], [0, 1, 0], [-np.sin(a), 0, np.cos(a)]])
+    pitch = np.array([[1, 0, 0], [0, np.cos(e), np.sin(e)], [0, -np.sin(e), np.cos(e)]])
+    view = (box - [0, 0, 1]) @ yaw.T @ pitch.T + [0, 0, 6]
+    flat = view[:, :2] / view[:, 2:] * 700 + 300
+    obj = TwoFaceObject(flat[:4], flat[4:])
+    lines = drawing_lines(obj, lift(obj))
+    gone = {i for line in lines if not line.visible for i in [set(obj.edges[line.edge].tolist())][0]}
+    far = int(view[:, 2].argmax())
+    assert len({line.edge for line in lines if not line.visible}) == 3
+    assert far in gone
+
+
+def test_back_edge_of_a_hole_is_seen_in_part():
+    shallow = TwoFaceObject(FACE, FACE + [30, -20], (FacePair(HOLE, HOLE + [30, -20]),))
+    lines = [line for line in drawing_lines(shallow, lift(shallow)) if line.edge in range(12, 24)]
+    # of the hole's back ring the left and the lower side show through, each without its last piece
+    back = [line for line in lines if set(shallow.edges[line.edge].tolist()) == {14, 15}]
+    assert [line.visible for line in sorted(back, key=lambda line: line.start[0])] == [True, False]
+    assert sum(np.linalg.norm(line.end - line.start) for line in back) == pytest.approx(100.0)
+
+
+def test_lines_cover_each_edge_once():
+    lines = drawing_lines(BOX, lift(BOX))
+    drawn = np.zeros(12)
+    for line in lines:
+        drawn[line.edge] += np.linalg.norm(line.end - line.start)
+    ends = BOX.vertices[BOX.edges]
+    assert drawn == pytest.approx(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
+
+
+def test_svg_has_a_group_for_each_layer():
+    root = ET.fromstring(encode(result(BOX), "svg"))
+    groups = {g.get("class"): g for g in root.iter("{http://www.w3.org/2000/svg}g") if g.get("class")}
+    paths = {name: g[0].get("d") for name, g in groups.items()}
+    assert paths["visible"].count("M") == 9
+    assert paths["hidden"].count("M") == 3
+    assert (root.get("width"), root.get("height")) == ("640", "480")
+
+
+def test_face_is_laid_flat_at_its_size():
+    solids = result(TwoFaceObject(FACE, FACE + [60, -50], (FacePair(HOLE, HOLE + [60, -50]),)), width="40mm").solids
+    root = ET.fromstring(encode(solids, "face.svg"))
+    assert root.get("width") == "40mm"
+    path = root[0].get("d")
+    assert path.count("M") == path.count("Z") == 2
+    rows = encode(solids, "face.dxf").decode().splitlines()
+    x = [float(rows[i + 3 + 1]) for i, row in enumerate(rows) if row == "VERTEX"]
+    assert max(x) == pytest.approx(40.0)
+
+
+def test_dxf_opens_in_ezdxf():
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf reads DXF back and is not installed")
+    import io
+
+    document = ezdxf.read(io.StringIO(encode(result(BOX, BOX), "dxf").decode()))
+    layers = [line.dxf.layer for line in document.modelspace().query("LINE")]
+    assert (layers.count("VISIBLE"), layers.count("HIDDEN")) == (18, 6)
+    assert not document.audit().errors
+    face = ezdxf.read(io.StringIO(encode(result(BOX), "face.dxf").decode()))
+    (outline,) = face.modelspace().query("POLYLINE")
+    assert outline.is_closed
+    assert len(outline) == 4
+
+
+def test_dxf_pairs_a_code_with_each_value():
+    rows = encode(result(BOX), "dxf").decode().splitlines()
+    assert len(rows) % 2 == 0
+    assert all(code.isdigit() for code in rows[::2])
+    assert [v for c, v in zip(rows[::2], rows[1::2], strict=True) if v == "LINE"] == ["LINE"] * 12
+
+
+def test_drawings_need_the_whole_result():
+    with pytest.raises(UsageError, match="whole result"):
+        encode(lift(BOX), "svg")
+
+
+def test_names_of_the_flat_face():
+    assert format_of("a/b.face.svg") == "face.svg"
+    assert format_of("a.v2.svg") == "svg"
+    assert format_of("a.stp") == "step"
