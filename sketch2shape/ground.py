@@ -13,6 +13,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.paper import noise_of
+
 Gray = NDArray[np.uint8]
 
 LONG_SIDE = 1100
@@ -63,9 +65,9 @@ def read_ground(pixels: Gray) -> Ground:
     if len(contrasts) > 1:
         strongest = np.max(np.stack(contrasts[1:]), axis=0)
         contrast = np.maximum(contrast, _u8(cv2.convertScaleAbs(strongest, alpha=COLOUR_SHARE)))
-    noise = _noise_of(contrast)
     if not even:
-        contrast = _u8(cv2.subtract(contrast, np.full_like(contrast, _mode(contrast))))
+        contrast = _levelled(contrast)
+    noise = noise_of(contrast)
     if noise > 3.0:
         contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
     return Ground(contrast, rgb, None if even else papers[0], even, noise, scale)
@@ -91,8 +93,9 @@ def _u8(array: NDArray[np.generic]) -> Gray:
 
 
 def _is_even(gray: Gray, ground: int) -> bool:
-    """The ground is one narrow peak (seen at half size, without noise), or very few levels hold all: flat fills."""
-    half = cv2.resize(gray, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    """The ground is one narrow peak (seen reduced, without noise), or very few levels hold all: flat fills."""
+    factor = 0.5 if noise_of(gray) < 6.0 else 0.25
+    half = cv2.resize(gray, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
     levels = cv2.calcHist([half], [0], None, [256], [0, 256]).ravel()
     fullest = np.cumsum(np.sort(levels)[::-1])
     peak = levels[max(0, ground - 6) : ground + 7].sum()
@@ -118,7 +121,7 @@ def _is_coloured(rgb: Gray) -> bool:
 
 
 def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
-    """Light ink on a dark ground: by the side of the ground on which the rest lies, else by what is thin."""
+    """Light ink on a dark ground: by what is thin, or else by the side of the ground on which the rest lies."""
     dark, light = np.count_nonzero(gray < ground - 24), np.count_nonzero(gray > ground + 24)
     if dark == light == 0:
         return ground < 128
@@ -126,8 +129,12 @@ def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
         return bool(light > dark)
     half = cv2.resize(gray, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
     box = cv2.getStructuringElement(cv2.MORPH_RECT, (9, 9))
-    light_thin, dark_thin = (cv2.morphologyEx(half, hat, box) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT))
-    return bool(cv2.norm(light_thin, cv2.NORM_L2SQR) > cv2.norm(dark_thin, cv2.NORM_L2SQR))
+    light_thin, dark_thin = (
+        cv2.norm(cv2.morphologyEx(half, hat, box), cv2.NORM_L2SQR) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT)
+    )
+    if max(light_thin, dark_thin) > 2.0 * min(light_thin, dark_thin):
+        return bool(light_thin > dark_thin)
+    return bool(light > dark)
 
 
 def _even_paper(plane: Gray) -> Gray:
@@ -155,13 +162,9 @@ def _contrast(plane: Gray, paper: Gray) -> Gray:
     return _u8(cv2.bitwise_not(_u8(cv2.divide(plane, paper, scale=255.0))))
 
 
-def _noise_of(contrast: Gray) -> float:
-    """Standard deviation of white noise: from the median of what a 3 x 3 binomial filter takes away."""
-    rough = cv2.absdiff(contrast, cv2.GaussianBlur(contrast, (3, 3), 0))
-    counts = np.cumsum(cv2.calcHist([rough], [0], None, [256], [0, 256]).ravel())
-    return 1.85 * float(np.searchsorted(counts, 0.5 * counts[-1]))
-
-
-def _mode(contrast: Gray) -> int:
-    """Commonest contrast in the paper's range: what closing the noise away has added."""
-    return int(np.argmax(cv2.calcHist([contrast], [0], None, [64], [0, 64]).ravel()))
+def _levelled(contrast: Gray) -> Gray:
+    """Less the local median: what closing the noise away has added, more of it where the light is poor."""
+    h, w = contrast.shape
+    sample = cv2.resize(contrast, (max(1, w // 8), max(1, h // 8)), interpolation=cv2.INTER_NEAREST)
+    bias = cv2.resize(cv2.blur(cv2.medianBlur(sample, 11), (5, 5)), (w, h), interpolation=cv2.INTER_LINEAR)
+    return _u8(cv2.subtract(contrast, bias))

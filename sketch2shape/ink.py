@@ -17,14 +17,13 @@ from sketch2shape.fills import without_fills
 from sketch2shape.ground import read_ground
 from sketch2shape.model import Bools, Floats, Ink, Picture
 from sketch2shape.page import find_page, page_homography
+from sketch2shape.paper import noise_of, paper_marks
 from sketch2shape.pen import pen_width_of, rough_pen_width
 
 Gray = NDArray[np.uint8]
 
 FLOOR = 8.0
 """Contrast below which nothing is ink, in 255ths."""
-TILES = 10
-"""The picture is cut into TILES x TILES to see what marks are everywhere."""
 
 
 def find_ink(picture: Picture) -> Ink:
@@ -34,18 +33,18 @@ def find_ink(picture: Picture) -> Ink:
     returns : `Ink` at working size; an empty mask where nothing was drawn
     """
     ground = read_ground(picture.pixels)
-    contrast, page = ground.contrast, None
-    floor = max(FLOOR, 5.0 * ground.noise)
-    mask = ink_mask(contrast, floor)
+    contrast, noise, page, on_page = ground.contrast, ground.noise, None, None
     if ground.paper is not None:
-        on_page, corners = find_page(ground.paper, mask)
-        contrast = contrast if on_page is None else np.where(on_page, contrast, np.uint8(0))
+        on_page, corners = find_page(ground.paper, ink_mask(contrast, max(FLOOR, 5.0 * noise)))
+        if on_page is not None:
+            contrast = np.where(on_page, contrast, np.uint8(0))
+            noise = noise_of(contrast, on_page)
         page = None if corners is None else _rectification(corners, ground.scale, picture)
-    floor = max(floor, paper_marks(contrast))
+    floor = max(FLOOR, 5.0 * noise, paper_marks(contrast, on_page))
     contrast = without_fills(contrast, floor)
     ringing = ringing_of(contrast)
     mask = ink_mask(contrast, floor, ringing)
-    mask = without_clutter(mask, contrast, noisy=ringing > 0.0 or ground.noise > 0.0)
+    mask = without_clutter(mask, contrast, noisy=ringing > 0.0 or noise > 0.5)
     peak = float(np.percentile(contrast[mask], 90)) if mask.any() else 255.0
     strength = np.minimum(contrast.astype(np.float32) / max(peak, 1.0), 1.0)
     return Ink(mask=mask, strength=strength, pen_width=pen_width_of(mask), scale=ground.scale, page=page)
@@ -95,21 +94,3 @@ def ringing_of(contrast: Gray) -> float:
 
 def _u8(array: NDArray[np.generic]) -> Gray:
     return np.asarray(array, dtype=np.uint8)
-
-
-def paper_marks(contrast: Gray) -> float:
-    """Contrast up to which marks belong to the paper, because they are everywhere: squares, rules, dots, grain.
-
-    A drawing leaves some tiles of the picture empty; what even the emptiest tiles hold was there before it. Returns 0
-    where the emptiest tiles hold as much as the others (thick strokes all over) or nothing.
-    """
-    h, w = contrast.shape
-    if min(h, w) < 4 * TILES:
-        return 0.0
-    rows, columns = np.arange(TILES) * h // TILES, np.arange(TILES) * w // TILES
-    tallest = np.maximum.reduceat(np.maximum.reduceat(contrast, rows, axis=0), columns, axis=1).ravel()
-    low, high = np.percentile(tallest, (12, 95))
-    if low > 0.6 * high:
-        return 0.0
-    paper = tallest[(tallest < 1.6 * low + 4)]
-    return 1.2 * float(np.percentile(paper, 95))

@@ -19,7 +19,9 @@ MAP_SIDE = 256
 STEP = 0.045
 """Relative step of brightness between neighbouring map pixels that parts two surfaces."""
 INK_SHARE = 0.1
-"""A surface with this share of the ink belongs to the page."""
+"""A surface with this share of the ink of the main one belongs to the page: a shadow parts them."""
+TEXTURE = 0.25
+"""Share of ink above which a surface is textured, not drawn on."""
 
 
 def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
@@ -51,16 +53,25 @@ def _u8(array: NDArray[np.generic]) -> Gray:
 def _surface(paper: Gray, mask: Bools) -> Gray | None:
     """0/1 map of the surfaces that carry the ink, holes filled; None where there is but one surface."""
     step = cv2.morphologyEx(paper, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-    smooth = (step <= np.maximum(3.0, STEP * 2 * paper)).astype(np.uint8)
+    ink = cv2.resize(mask.astype(np.float32), paper.shape[::-1], interpolation=cv2.INTER_AREA)
+    grain = cv2.blur(ink, (9, 9)) > 1.4 * TEXTURE
+    smooth = ((step <= np.maximum(3.0, STEP * 2 * paper)) & ~grain).astype(np.uint8)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(smooth, connectivity=4)
     if count < 2 or stats[1:, cv2.CC_STAT_AREA].max() > 0.97 * paper.size:
         return None
-    ink = cv2.resize(mask.astype(np.float32), paper.shape[::-1], interpolation=cv2.INTER_AREA)
     inner = labels * cv2.erode(smooth, np.ones((5, 5), np.uint8))  # the rim holds what is left of the step
     held = np.bincount(inner.ravel(), weights=ink.ravel(), minlength=count)
-    held[0] = 0.0
-    kept = np.flatnonzero(held >= INK_SHARE * max(held.sum(), 1e-9))
-    region = cv2.morphologyEx(np.isin(labels, kept[kept > 0]).astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))
+    area = np.bincount(inner.ravel(), minlength=count).astype(np.float64)
+    empty = held < TEXTURE * area  # a page is mostly empty, a wooden table is not
+    empty[0] = False
+    if not empty.any():
+        return None
+    main = int(np.argmax(np.where(empty, area, 0.0)))
+    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+    strip = np.bincount(rim, minlength=count) ** 2 > 5.0 * stats[:, cv2.CC_STAT_AREA]  # table along the picture's frame
+    kept = empty & ~strip & (held >= INK_SHARE * max(held[main], 1.0)) & (area > 0.02 * paper.size)
+    kept[main] = True
+    region = cv2.morphologyEx(kept[labels].astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))
     contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     contours = [c for c in contours if cv2.contourArea(c) > 0.02 * paper.size]
     filled = np.zeros_like(paper)

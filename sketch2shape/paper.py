@@ -1,0 +1,81 @@
+"""Paper: its noise, its grain and its printed marks (squares, rules, dots), which are not ink.
+
+A drawing leaves parts of the picture empty, paper does not: what is everywhere belongs to the paper.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Bools, Floats
+
+Gray = NDArray[np.uint8]
+
+TILES = 10
+"""The picture is cut into TILES x TILES to see what marks are everywhere."""
+PARTS = 4
+"""A mark must be in at least three of the PARTS x PARTS parts of a tile."""
+
+
+def noise_of(contrast: Gray, on_page: Bools | None = None) -> float:
+    """Standard deviation of white noise, from what a 3 x 3 binomial filter takes away.
+
+    contrast : (h, w) uint8, see `Ground`
+    on_page  : (h, w) where to look; then the noise of the noisier fifth of the tiles counts (the shadow's side)
+    """
+    rough = np.asarray(cv2.absdiff(contrast, cv2.GaussianBlur(contrast, (3, 3), 0)), dtype=np.uint8)
+    if on_page is None:
+        return 1.85 * float(_median(rough))
+    h, w = contrast.shape
+    rows, columns = np.linspace(0, h, 9).astype(int), np.linspace(0, w, 9).astype(int)
+    medians = []
+    for top, bottom in itertools.pairwise(rows):
+        for left, right in itertools.pairwise(columns):
+            if on_page[top:bottom, left:right].mean() > 0.9:
+                medians.append(_median(rough[top:bottom, left:right]))
+    return 1.85 * float(np.percentile(medians, 80)) if medians else 1.85 * float(_median(rough))
+
+
+def _median(values: Gray) -> float:
+    """Median of bytes, between the levels."""
+    counts = np.cumsum(cv2.calcHist([values], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
+    half = 0.5 * float(counts[-1])
+    level = int(np.searchsorted(counts, half))
+    below = float(counts[level - 1]) if level else 0.0
+    share = (half - below) / max(float(counts[level]) - below, 1.0)
+    return max(0.0, level - 0.5 + float(share))
+
+
+def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
+    """Contrast up to which marks belong to the paper, because they are everywhere: squares, rules, dots, grain.
+
+    contrast : (h, w) uint8, see `Ground`
+    on_page  : (h, w) where to look, all over if None
+    returns  : 0 where the emptiest tiles hold nothing, or as much as the others do (thick strokes all over)
+    """
+    h, w = contrast.shape
+    if min(h, w) < 8 * TILES:
+        return 0.0
+    parts = _tiled(contrast, np.maximum, PARTS * TILES).reshape(TILES, PARTS, TILES, PARTS).swapaxes(1, 2)
+    tallest = np.sort(parts.reshape(TILES**2, PARTS**2), axis=1)[:, -3]  # a speck or two are no mark
+    if on_page is not None:
+        share = _tiled(on_page.astype(np.float32), np.add, TILES).ravel() / (h * w / TILES**2)
+        tallest = tallest[share > 0.8]
+        if len(tallest) < TILES:
+            return 0.0
+    low, high = np.percentile(tallest, (12, 95))
+    if low > 0.6 * high:
+        return 0.0
+    paper = tallest[tallest < 1.6 * low + 4]
+    return 1.2 * float(np.percentile(paper, 95))
+
+
+def _tiled(values: NDArray[np.generic], reduce: np.ufunc, tiles: int) -> Floats:
+    """(tiles, tiles) maxima or sums over the tiles."""
+    h, w = values.shape
+    rows, columns = np.arange(tiles) * h // tiles, np.arange(tiles) * w // tiles
+    return np.asarray(reduce.reduceat(reduce.reduceat(values, rows, axis=0), columns, axis=1), dtype=np.float64)

@@ -1,0 +1,81 @@
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from sketch2shape.ink import find_ink
+from sketch2shape.model import Picture
+from sketch2shape.paper import noise_of, paper_marks
+
+HEXAGON = np.array([[150, 100], [330, 90], [420, 200], [340, 300], [170, 310], [90, 210]])
+
+
+def squared(spacing: int) -> np.ndarray:
+    image = np.full((400, 560), 250, np.uint8)
+    image[::spacing], image[:, ::spacing] = 205, 205
+    return image
+
+
+def ruled() -> np.ndarray:
+    image = np.full((400, 560), 250, np.uint8)
+    image[10::26] = 190
+    return image
+
+
+def dotted() -> np.ndarray:
+    image = np.full((400, 560), 250, np.uint8)
+    for row, y in enumerate(range(8, 400, 16)):
+        for x in range(8 + 9 * (row % 2), 560, 18):
+            cv2.circle(image, (x, y), 1, 170, -1)
+    return image
+
+
+@pytest.mark.parametrize("paper", [squared(20), squared(33), ruled(), dotted()])
+def test_printed_marks_are_no_ink(paper: np.ndarray) -> None:
+    image = paper.copy()
+    cv2.polylines(image, [HEXAGON], True, 40, 3)
+    drawn = cv2.polylines(np.zeros_like(image), [HEXAGON], True, 1, 3) > 0
+    mask = find_ink(Picture(np.dstack([image] * 3))).mask
+    assert mask[drawn].mean() > 0.98
+    assert not (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).any()
+
+
+def test_empty_squared_paper_has_no_ink() -> None:
+    assert not find_ink(Picture(np.dstack([squared(24)] * 3))).mask.any()
+
+
+def test_a_few_specks_are_no_paper_marks() -> None:
+    contrast = np.zeros((400, 400), np.uint8)
+    rng = np.random.default_rng(3)
+    contrast[rng.integers(0, 400, 150), rng.integers(0, 400, 150)] = 200
+    assert paper_marks(contrast) == 0.0
+
+
+def test_strokes_everywhere_are_no_paper_marks() -> None:
+    contrast = np.zeros((400, 400), np.uint8)
+    contrast[:, 5::20] = contrast[5::20] = 220
+    assert paper_marks(contrast) == 0.0
+
+
+@pytest.mark.parametrize("sigma", [4.0, 10.0])
+def test_noise_is_measured(sigma: float) -> None:
+    noise = np.random.default_rng(1).normal(100, sigma, (300, 300))
+    assert noise_of(np.clip(noise, 0, 255).astype(np.uint8)) == pytest.approx(sigma, rel=0.15)
+
+
+def test_noise_of_a_clean_picture_is_nothing() -> None:
+    image = np.zeros((200, 200), np.uint8)
+    cv2.line(image, (10, 10), (180, 150), 255, 3)
+    assert noise_of(image) == 0.0
+
+
+def test_faint_pencil_on_noisy_grey_paper_is_found() -> None:
+    rng = np.random.default_rng(5)
+    image = np.full((400, 560), 225.0)
+    drawn = cv2.polylines(np.zeros(image.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
+    image[drawn] = 150
+    image += rng.normal(0, 8, image.shape)
+    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
+    assert mask[drawn].mean() > 0.9
+    assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.02 * drawn.sum()
