@@ -45,9 +45,9 @@ def tile(outcome: Outcome) -> np.ndarray[Any, Any]:
     scale = min((w - 6) / picture.width, (h - 40) / picture.height)
     small = np.asarray(picture.resize((round(picture.width * scale), round(picture.height * scale)), PilImage.LANCZOS))
     out = np.full((h, w, 3), 255, np.uint8)
-    out[3 : 3 + small.shape[0], 3 : 3 + small.shape[1]] = (small * 0.45 + 255 * 0.55).astype(np.uint8)
+    out[3 : 3 + small.shape[0], 3 : 3 + small.shape[1]] = (small * 0.55 + 255 * 0.45).astype(np.uint8)
     for truth in metrics.objects_of(outcome["truth"]):
-        _draw(out, truth, scale, (GREEN, GREEN), 3)
+        _draw(out, truth, scale, (GREEN, GREEN), 2)
     for answer in outcome["answers"]:
         _draw(out, answer, scale, (RED, BLUE), 1)
     for line, text in enumerate(

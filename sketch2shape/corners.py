@@ -80,9 +80,7 @@ def _cluster(ends: Floats, direction: Floats, lengths: Floats, tolerance: float,
             continue
         members = np.flatnonzero((label == a) | (label == b))
         distinct = len(set(other[members])) == len(members)
-        if distinct and _meet(
-            ends[members], direction[members], reach[i[k], j[k]], base
-        ):
+        if distinct and _meet(ends[members], direction[members], reach[i[k], j[k]], base):
             label[members] = a
     return label
 
