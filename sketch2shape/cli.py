@@ -47,6 +47,13 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def parse(argv: Sequence[str]) -> argparse.Namespace:
+    """Parse arguments, in any order. Names after `--` are inputs, even if they begin with a dash."""
+    cut = argv.index("--") if "--" in argv else len(argv)
+    names = ["./" + name if name.startswith("-") and name != "-" else name for name in argv[cut + 1 :]]
+    return build_parser().parse_intermixed_args([*argv[:cut], *names])
+
+
 def _output_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("output")
     group.add_argument(
@@ -128,7 +135,7 @@ def _bytes(text: str) -> int:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
-    arguments = build_parser().parse_intermixed_args(argv)
+    arguments = parse(sys.argv[1:] if argv is None else argv)
     try:
         from sketch2shape.command import run
 

@@ -104,6 +104,7 @@ def _svg(data: bytes, limits: Limits) -> Image:
         png = resvg.svg_to_bytes(
             svg_string=_without_links(text),
             background="#ffffff",
+            dpi=96,
             skip_system_fonts=True,  # labels are not looked at; without them the same bytes everywhere
             width=round(width * shrink),
             height=round(height * shrink),
@@ -167,7 +168,7 @@ def _box(attributes: dict[str, str]) -> tuple[float, float]:
     fallback = view[2:4] if len(view) == 4 else [100.0, 100.0]
     sizes = []
     for key, other in zip(("width", "height"), fallback, strict=True):
-        match = re.match(r"\s*(\d+\.?\d*|\.\d+)(?!\d*%)", attributes.get(key, ""))
+        match = re.fullmatch(r"\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*[a-z]*\s*", attributes.get(key, ""))
         sizes.append(float(match[1]) if match else other)
     if not all(0 < size < 1e9 for size in sizes):
         raise UnreadableError(f"an SVG of {sizes[0]:g} x {sizes[1]:g}", remedy="another page size")

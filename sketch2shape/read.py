@@ -145,15 +145,17 @@ def _read_file(path: str | os.PathLike[str], limits: Limits) -> bytes:
         descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     except (OSError, ValueError) as error:
         raise UnreadableError(_why(error), remedy=_remedy(error)) from None
-    with open(descriptor, "rb", buffering=0) as file:
+    try:
         status = os.fstat(descriptor)
         if not stat.S_ISREG(status.st_mode):
             raise UnreadableError(f"{_kind(status.st_mode)}, not a picture file")
         limits.check_bytes(status.st_size)
-        try:
+        with open(descriptor, "rb", buffering=0, closefd=False) as file:
             data = file.read(limits.max_bytes + 1)
-        except OSError as error:
-            raise UnreadableError(_why(error)) from None
+    except OSError as error:
+        raise UnreadableError(_why(error)) from None
+    finally:
+        os.close(descriptor)
     limits.check_bytes(len(data))
     return data
 
@@ -278,7 +280,8 @@ def _guarded(decode: Callable[[], R]) -> R:
         raise UnreadableError("damaged, or it has no such page", remedy="a complete file, or a lower --page") from None
     except Exception as error:
         if type(error).__name__ == "DecompressionBombError":
-            raise LimitError("the picture is too large to decode", remedy="a smaller picture") from None
+            pixels = next((int(word) for word in str(error).replace("(", "").split() if word.isdigit()), 0)
+            raise LimitError(f"{pixels / 1e6:.0f} megapixels are too many", remedy="a smaller picture") from None
         raise UnreadableError(f"damaged ({_first_line(error)})", remedy="save or download it again") from error
 
 

@@ -28,7 +28,7 @@ def write_file(path: str | os.PathLike[str], data: bytes, *, overwrite: bool = F
     """Write `data` to `path`, creating its folders. Raises WriteError; then `path` is as it was before."""
     target = Path(path)
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(target.parent)
         with tempfile.NamedTemporaryFile(dir=target.parent, prefix=_PREFIX, suffix=_SUFFIX, delete=False) as file:
             temporary = Path(file.name)
             try:
@@ -44,6 +44,14 @@ def write_file(path: str | os.PathLike[str], data: bytes, *, overwrite: bool = F
         raise exists_error(target) from None
     except (OSError, ValueError) as error:
         raise WriteError(f"cannot write {target} ({getattr(error, 'strerror', None) or error})") from None
+
+
+def make_folder(folder: str | os.PathLike[str]) -> None:
+    """Make a folder and those above it, if they are not there. Raises WriteError."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise WriteError(f"cannot make the folder {folder} ({getattr(error, 'strerror', None) or error})") from None
 
 
 def exists_error(path: os.PathLike[str]) -> WriteError:

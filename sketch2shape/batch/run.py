@@ -22,7 +22,7 @@ from sketch2shape.batch.table import check_table, encode_table, show_summary, su
 from sketch2shape.command import products_of
 from sketch2shape.convert import Outcome, Settings, Task
 from sketch2shape.errors import InterruptedRunError, UsageError
-from sketch2shape.write import FolderLock, exists_error, sweep, write_file
+from sketch2shape.write import FolderLock, exists_error, make_folder, sweep, write_file
 
 Work = Callable[[Task], Outcome]
 
@@ -44,7 +44,7 @@ def run_batch(arguments: Namespace, settings: Settings, work: Work) -> int:
     if arguments.dry_run:
         sys.stdout.writelines(f"{item.path}\t{o.path}\n" for item in plan.items for o in item.outputs)
         return 0
-    _make_root(plan.root)
+    make_folder(plan.root)
     with FolderLock(plan.root):
         batch = _Batch(plan, arguments, settings, work)
         if arguments.resume:
@@ -78,15 +78,6 @@ def _plan(arguments: Namespace, out: str | None, products: list[str], past: Past
         items = tuple(replace(item, outputs=past.planned.get(item.name, item.outputs)) for item in plan.items)
         return settle(replace(plan, items=items), versioned=arguments.versioned, ours=past.files)
     return plan if arguments.overwrite else settle(plan, versioned=arguments.versioned)
-
-
-def _make_root(root: str) -> None:
-    from sketch2shape.errors import WriteError
-
-    try:
-        os.makedirs(root, exist_ok=True)
-    except OSError as error:
-        raise WriteError(f"cannot make the folder {root} ({error.strerror})") from None
 
 
 class _Batch:

@@ -1,0 +1,44 @@
+"""What is said while a batch runs."""
+
+from __future__ import annotations
+
+import io
+
+import pytest
+
+from sketch2shape.batch import progress
+from sketch2shape.convert import Outcome, Task
+
+GOOD = (Task("in/a.png", "a.png", ()), Outcome("a.png"))
+BAD = (Task("in/[b].png", "[b].png", ()), Outcome("[b].png", 5, "nothing there", "draw"))
+
+
+class _Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize(("out", "quiet"), [(io.StringIO(), True), (io.StringIO(), False), (_Terminal(), False)])
+def test_failures_are_always_said_in_full(out, quiet):
+    with progress.follow(2, quiet=quiet, stream=out) as follower:
+        follower.advance(*GOOD)
+        follower.advance(*BAD)
+    assert "in/[b].png: nothing there. Try: draw\n" in out.getvalue()
+    assert "a.png:" not in out.getvalue()
+
+
+def test_plain_lines_tell_rate_and_time_left(monkeypatch):
+    clock = iter(range(0, 1000, 6))
+    monkeypatch.setattr(progress.time, "monotonic", lambda: float(next(clock)))
+    out = io.StringIO()
+    with progress.follow(4, quiet=False, stream=out) as follower:
+        for _ in range(2):
+            follower.advance(*GOOD)
+    assert out.getvalue() == "2 of 4, 0 failed, 0.2/s, 12 s left\n"
+
+
+def test_a_closed_stream_does_not_stop_the_work():
+    out = io.StringIO()
+    follower = progress.follow(1, quiet=True, stream=out)
+    out.close()
+    follower.advance(*BAD)

@@ -1,0 +1,188 @@
+"""A whole batch, with faults, stops and resumption."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+import stand_in
+from PIL import Image
+
+from sketch2shape.batch.manifest import NAME
+from sketch2shape.cli import parse
+from sketch2shape.command import run
+from sketch2shape.errors import UsageError, WriteError
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for i in range(6):
+        picture(f"in/{i}.png", 10 * i)
+    return tmp_path
+
+
+def picture(path, value=0):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    Image.new("L", (40, 30), value).save(path)
+
+
+def command(*arguments):
+    return run(parse(arguments), stand_in.work)
+
+
+def snapshot(folder):
+    """Every file below a folder with the hash of its bytes."""
+    found = {}
+    for root, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.join(root, name)
+            with open(path, "rb") as file:
+                found[os.path.relpath(path, folder)] = hashlib.sha256(file.read()).hexdigest()
+    return found
+
+
+def test_faults_are_named_and_the_rest_is_done(here, capsys):
+    for fault in ("crash", "hang", "hog", "bug", "blank"):
+        picture(f"in/{fault}.png", 255 if fault == "blank" else 0)
+    os.mkfifo("in/pipe.png")
+    os.symlink("loop.png", "in/loop.png")
+    before = snapshot_of_files("in")
+    code = command(
+        "in", "-o", "out", "--json", "--jobs", "2", "--timeout", "2", "--max-memory", "300M", "--report", "r.jsonl"
+    )
+    assert code == 3
+    rows = {row["name"]: row for row in map(json.loads, (here / "r.jsonl").read_text().splitlines())}
+    codes = {name.partition(".")[0]: row["exit_code"] for name, row in rows.items()}
+    assert codes == {
+        **{str(i): 0 for i in range(6)},
+        **{"crash": 1, "bug": 1, "hang": 6, "hog": 6, "blank": 5, "pipe": 4, "loop": 4},
+    }
+    assert list(rows) == sorted(rows)
+    assert all(os.path.exists(f"out/{i}.obj") for i in range(6))
+    assert all(os.path.exists("out/" + name.replace(".png", ".json")) for name in rows)
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert "in/crash.png: the worker died (SIGSEGV). Try: " in printed.err
+    assert " 6  done (0)" in printed.err
+    assert snapshot_of_files("in") == before
+
+
+def snapshot_of_files(folder):
+    return {n: os.stat(os.path.join(folder, n), follow_symlinks=False).st_mtime_ns for n in os.listdir(folder)}
+
+
+def test_the_same_bytes_for_any_number_of_jobs_and_after_a_stop(here):
+    assert command("in", "-o", "one", "--json", "--jobs", "1") == 0
+    assert command("in", "-o", "two", "--json", "--jobs", "2") == 0
+    assert snapshot("one") == snapshot("two")
+    picture("in/bug.png")
+    assert command("in", "-o", "stopped", "--json", "--fail-fast", "--jobs", "1") == 3
+    os.unlink("in/bug.png")
+    for name in ("bug.json", "5.obj"):
+        if os.path.exists(f"stopped/{name}"):
+            os.unlink(f"stopped/{name}")
+    assert command("in", "-o", "stopped", "--json", "--resume") == 0
+    assert snapshot("stopped") == snapshot("one")
+
+
+def test_resume_works_off_what_is_left_only(here):
+    command("in", "-o", "out")
+    os.unlink("out/3.obj")
+    picture("in/new.png")
+    stamps = snapshot_of_files("out")
+    assert command("in", "-o", "out", "--resume") == 0
+    after = snapshot_of_files("out")
+    assert {n for n in after if after[n] != stamps.get(n)} == {"3.obj", "new.obj", NAME}
+
+
+def test_resume_does_not_replace_files_of_others(here):
+    command("in", "-o", "out")
+    picture("in/new.png")
+    (here / "out" / "new.obj").write_text("mine")
+    with pytest.raises(WriteError, match=r"new\.obj exists already"):
+        command("in", "-o", "out", "--resume")
+    with pytest.raises(UsageError, match="other options"):
+        command("in", "-o", "out", "--resume", "--format", "stl")
+
+
+def test_existing_outputs_stop_the_run_before_it_starts(here):
+    command("in", "-o", "out")
+    before = snapshot("out")
+    with pytest.raises(WriteError):
+        command("in", "-o", "out")
+    assert snapshot("out") == before
+    assert command("in", "-o", "out", "--overwrite") == 0
+    assert snapshot("out") == before
+    assert command("in", "-o", "out", "--versioned") == 0
+    assert os.path.exists("out/3.2.obj")
+
+
+def test_in_place_twice(here):
+    assert command("in") == 0
+    assert os.path.exists("in/0.obj")
+    assert command("in", "--resume") == 0
+
+
+def test_fail_fast_leaves_the_rest(here):
+    for i in range(30):
+        picture(f"in/z{i:02}.png")
+    picture("in/00bug.png")
+    assert command("in", "-o", "out", "--fail-fast", "--jobs", "1", "--report", "r.csv") == 3
+    with open("r.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 37
+    assert sum(row["exit_code"] == "130" for row in rows) > 20
+
+
+def test_dry_run_and_contradictions(here, capsys):
+    assert command("in", "-o", "out", "--dry-run") == 0
+    assert capsys.readouterr().out.splitlines()[0] == "in/0.png\tout/0.obj"
+    assert not os.path.exists("out")
+    (here / "file").write_text("")
+    for wrong in (["-o", "-"], ["-o", "a", "-o", "b"], ["-o", "file"], ["--report", "x.txt"]):
+        with pytest.raises(UsageError):
+            command("in", *wrong)
+
+
+def test_quiet_tells_failures_only(here, capsys):
+    picture("in/blank.png", 255)
+    command("in", "-o", "out", "--quiet")
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+_RUN = """
+import sys
+sys.path.insert(0, sys.argv.pop(1))
+import stand_in
+from sketch2shape.cli import parse
+from sketch2shape.command import run
+sys.exit(run(parse(sys.argv[1:]), stand_in.work))
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_a_stopped_batch_goes_on_to_the_same_bytes(here, number):
+    for i in range(10):
+        picture(f"in/slow{i}.png")
+    assert command("in", "-o", "whole") == 0
+    (here / "run.py").write_text(_RUN)
+    call = [sys.executable, "run.py", os.path.dirname(stand_in.__file__), "in", "-o", "out", "--jobs", "1"]
+    with subprocess.Popen(call, stderr=subprocess.PIPE, text=True) as batch:
+        while not os.path.exists("out/slow0.obj"):
+            time.sleep(0.01)
+        batch.send_signal(number)
+        printed = batch.stderr.read()
+    assert batch.returncode == (-9 if number == signal.SIGKILL else 130)
+    assert number == signal.SIGKILL or "interrupted. Try: --resume" in printed
+    assert not os.path.exists("out/slow9.obj")
+    assert "Traceback" not in printed
+    assert command("in", "-o", "out", "--resume") == 0
+    assert snapshot("out") == snapshot("whole")
