@@ -32,8 +32,8 @@ R = TypeVar("R")
 _AHEAD = 4
 #: how often an item may be lost to a broken pool before it is given up
 _TRIES = 3
-#: a pool is broken if nothing finishes for this long after every running item must have timed out, seconds
-_PATIENCE = 90.0
+#: a pool is broken if for this long it has items and works on none, seconds; starting workers takes a few
+_PATIENCE = 20.0
 #: how often the loop looks up from waiting, seconds
 _POLL = 1.0
 
@@ -142,13 +142,11 @@ class _Crew:
     def finished(self) -> list[tuple[_Item[Any], Any]]:
         """Wait until some items are done, or the pool must be given up; their values or exceptions."""
         done, _ = wait(self.pending, timeout=_POLL, return_when=FIRST_COMPLETED)
-        if not done:
-            return self._abandon() if self._stuck() else []
-        self._quiet_since = time.monotonic()
+        if done or any(future.running() for future in self.pending):
+            self._quiet_since = time.monotonic()
+        elif time.monotonic() - self._quiet_since > _PATIENCE:
+            return self._abandon()
         return [(self.pending.pop(future), _value(future)) for future in done]
-
-    def _stuck(self) -> bool:
-        return self._timeout is not None and time.monotonic() - self._quiet_since > self._timeout + _PATIENCE
 
     def _abandon(self) -> list[tuple[_Item[Any], Any]]:
         lost = [(item, BrokenExecutor("a worker was lost")) for item in self.pending.values()]

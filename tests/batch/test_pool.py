@@ -13,6 +13,7 @@ from pathlib import Path
 
 import stand_in
 
+from sketch2shape.batch import pool
 from sketch2shape.batch.pool import default_jobs, run_each
 from sketch2shape.errors import CrashError, LimitError, UnreadableError
 
@@ -49,7 +50,7 @@ def test_items_are_drawn_a_few_at_a_time():
     run.close()
 
 
-def test_a_pool_whose_idle_workers_are_killed_is_made_anew():
+def test_a_pool_whose_workers_are_killed_is_made_anew(monkeypatch):
     def source():
         yield "good 0"
         yield "good 1"
@@ -60,6 +61,7 @@ def test_a_pool_whose_idle_workers_are_killed_is_made_anew():
         time.sleep(0.5)
         yield from (f"late {i}" for i in range(5))
 
+    monkeypatch.setattr(pool, "_PATIENCE", 2.0)
     pids, done = set(), Counter()
     for name, value in run_each(source(), stand_in.act, jobs=2, timeout=5.0):
         if isinstance(value, tuple):
