@@ -44,7 +44,7 @@ def settings_of(arguments: Namespace) -> Settings:
 
 def stage_options(arguments: Namespace) -> dict[str, Any]:
     """Keyword arguments of `reconstruct`."""
-    return {"connector": arguments.connector}
+    return {} if arguments.connector == "auto" else {"connector": arguments.connector}
 
 
 def mesh_options(_: Namespace) -> dict[str, Any]:

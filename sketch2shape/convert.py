@@ -158,11 +158,9 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
 
 
 def _reconstruct(picture: Picture, settings: Settings, read_ms: float) -> Result:
-    from importlib import import_module
+    from sketch2shape.reconstruct import reconstruct
 
-    result: Result = import_module("sketch2shape.reconstruct").reconstruct(
-        picture, limits=settings.limits, **settings.stages
-    )
+    result = reconstruct(picture, limits=settings.limits, **settings.stages)
     return replace(result, timings_ms={**result.timings_ms, "read": read_ms})
 
 

@@ -32,7 +32,7 @@ def reconstruct(source, *, limits=None, **_):
 def work(task):
     """`convert`, but a picture named crash, hang, hog or bug does just that."""
     misbehave(task.name)
-    with patch("sketch2shape.reconstruct.reconstruct", reconstruct, create=True):
+    with patch("sketch2shape.reconstruct.reconstruct", reconstruct):
         return convert(task)
 
 
@@ -40,7 +40,7 @@ def reconstruct_numbered(numbered, limits, options):
     """The same for what `reconstruct_many` runs in its workers."""
     if isinstance(numbered[1], str):
         misbehave(numbered[1])
-    with patch("sketch2shape.reconstruct.reconstruct", reconstruct, create=True):
+    with patch("sketch2shape.reconstruct.reconstruct", reconstruct):
         return many_reconstruct(numbered, limits, options)
 
 

@@ -20,7 +20,7 @@ from sketch2shape.limits import Limits
 
 @pytest.fixture(autouse=True)
 def _stand_in(monkeypatch):
-    monkeypatch.setattr("sketch2shape.reconstruct.reconstruct", stand_in.reconstruct, raising=False)
+    monkeypatch.setattr("sketch2shape.reconstruct.reconstruct", stand_in.reconstruct)
 
 
 def png(value=0, size=(40, 30)):

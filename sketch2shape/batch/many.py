@@ -59,10 +59,10 @@ class _Answer:
 
 def _reconstruct(numbered: tuple[int, Any], limits: Limits, options: dict[str, Any]) -> _Answer | Sketch2ShapeError:
     """Run in the worker."""
-    from importlib import import_module
+    from sketch2shape.reconstruct import reconstruct
 
     try:
-        result: Result = import_module("sketch2shape.reconstruct").reconstruct(numbered[1], limits=limits, **options)
+        result = reconstruct(numbered[1], limits=limits, **options)
     except Exception as error:
         return as_known(error)
     height, width = result.picture.pixels.shape[:2]
