@@ -28,11 +28,10 @@ def test_export_writes_one_file_and_nothing_else(result, tmp_path):
 
 
 def test_export_that_fails_leaves_nothing(result, tmp_path):
-    with pytest.raises(WriteError):
-        result.export(tmp_path / "missing" / "box.obj")
+    (tmp_path / "dir.obj").mkdir()
+    for path in (tmp_path / "dir.obj", tmp_path / "dir.obj" / "file" / ".." / "..", tmp_path / "null\0.obj"):
+        with pytest.raises(WriteError):
+            result.export(path, "obj")
     with pytest.raises(UsageError):
         result.export(tmp_path / "box.xyz")
-    (tmp_path / "dir.obj").mkdir()
-    with pytest.raises(WriteError):
-        result.export(tmp_path / "dir.obj")
     assert [p.name for p in tmp_path.iterdir()] == ["dir.obj"]
