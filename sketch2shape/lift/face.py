@@ -1,4 +1,4 @@
-"""Rings of a face: edges, area, centroid."""
+"""Rings of a face: edges and area."""
 
 from __future__ import annotations
 
@@ -26,16 +26,3 @@ def ring_area(ring: Floats) -> float:
     """Area inside an (n, 2) ring, >= 0."""
     x, y = (ring - ring[0]).T
     return abs(float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1))))
-
-
-def centroid(ring: Floats) -> Floats:
-    """(2,) centre of the area inside an (n, 2) ring; of its vertices if it has no area."""
-    p = ring - ring[0]
-    q = np.roll(p, -1, axis=0)
-    cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
-    total = float(cross.sum())
-    if abs(total) < 1e-9 * max(float((p**2).sum()), 1e-12):
-        mean: Floats = ring.mean(axis=0)
-        return mean
-    centre: Floats = ring[0] + ((p + q) * cross[:, None]).sum(axis=0) / (3.0 * total)
-    return centre

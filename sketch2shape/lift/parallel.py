@@ -21,8 +21,15 @@ _SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 235))
 #: drawn over true length of the receding edges of a cabinet drawing, the commonest oblique one
 CABINET = 0.5
 
+# : receding edges of an oblique drawing are not drawn level or upright (sine of the slack), least of all along the
+# face's : own edges, where they would hide the sides; the cost in log odds where they are
+_STEEP, _STEEP_COST = 0.035, 1.5
+
+#: directions with less than this part of the longest one's length do not tell how a face is held
+_LONG = 0.3
+
 #: log odds of an oblique drawing before anything is seen: most hand-made drawings of prisms are
-_OBLIQUE_PRIOR = 1.2
+_OBLIQUE_PRIOR = 0.8
 
 
 @dataclass(frozen=True)
@@ -69,11 +76,13 @@ def read_axonometric(face: Floats, sizes: list[int], d: Floats, noise: float) ->
     return ParallelReading("axonometric", best, whole, {"slant_deg": round(float(np.rad2deg(best)), 2)})
 
 
-def read_oblique(face: Floats, sizes: list[int], noise: float) -> ParallelReading:
+def read_oblique(face: Floats, d: Floats, sizes: list[int], noise: float) -> ParallelReading:
     """The odds that the face is drawn in its true shape; arguments as in `read_axonometric`."""
     relations = find_relations(face, sizes, face, noise)
     odds = float(score(relations, face[None], np.eye(2)[None], noise)[0])
     odds += _level_odds(relations, face, noise) + _OBLIQUE_PRIOR
+    if min(abs(d)) < _STEEP * np.hypot(*d):
+        odds -= _STEEP_COST * (1.0 + 3.0 * _along_edges(relations, face, d, noise))
     return ParallelReading("oblique", 0.0, odds)
 
 
@@ -185,10 +194,18 @@ def _rests(relations: Relations, outer: Floats) -> Bools:
     return rests
 
 
+def _along_edges(relations: Relations, face: Floats, d: Floats, noise: float) -> bool:
+    """Is d drawn parallel to an edge of the face?"""
+    angle, spread = bearings(relations, face[None], np.eye(2)[None], noise)
+    off = between(angle[0], np.arctan2(d[1:], d[:1]))
+    return bool((off < 2.0 * spread[0] + np.deg2rad(1.5)).any())
+
+
 def _level_odds(relations: Relations, face: Floats, noise: float) -> float:
     """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew."""
     angle, spread = bearings(relations, face[None], np.eye(2)[None], noise)
     off = between(angle[0], np.zeros(1))
+    off[relations.lengths < _LONG * relations.lengths.max()] = np.pi / 2
     exact = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.88, np.pi / 2)
     askew = log_odds(off, np.hypot(spread[0], np.deg2rad(4.0)), 0.88, np.pi / 2)
     return float(max(exact.max(), askew.max() - 0.7))

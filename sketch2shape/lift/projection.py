@@ -20,7 +20,7 @@ _LEAST_NOISE = 0.3
 _CONVERGENCE = 0.008
 
 #: how many times its own residual a simpler family may miss before the wider one is taken
-_SIGNIFICANT = 2.5
+_SIGNIFICANT = 2.0
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,8 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     corner = {frozenset(p) for p in zip(label[_previous(sizes)].tolist(), label.tolist(), strict=True)}
     adjacent = np.array([frozenset(p) in corner for p in zip(first.tolist(), second.tolist(), strict=True)], float)
     axes, belief = _symmetries(shape, sizes[0], noise * _stretch(shape, drawn))
-    if k == 2 and sizes[0] == 4:  # a rectangle's symmetries and a rhombus's say again what its edges say
+    if sizes[0] == 4 and len(set(label[:4].tolist())) == 2:
+        # a rectangle's symmetries and a rhombus's say again what its edges say
         axes, belief = axes[:0], belief[:0]
     sides = np.zeros((len(start), m))
     rows = np.arange(len(start))
@@ -219,7 +220,7 @@ def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
     """Skewed mirror symmetries of the outer ring: coefficients of axis and chord, and how much each is believed.
 
     Under any affine map the chords of a mirror symmetry stay parallel and their middles stay on a line; the two
-    directions were at right angles. Every triangle and every trapezoid passes, so these are believed little.
+    directions were at right angles.
     """
     ring = shape[:n] - shape[:n].mean(axis=0)
     size = float(np.sqrt((ring**2).sum() / n))
@@ -241,12 +242,13 @@ def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
         rows[1, :n] += span
         np.add.at(rows[1], mate, -span)
         found.append(rows / np.abs(rows).sum(axis=1, keepdims=True))
-        belief.append(_SYMMETRY_BELIEF.get(n, 0.8))
+        belief.append(_SYMMETRY_BELIEF.get((n, k % 2), 0.8))
     return np.array(found).reshape(-1, 2, len(shape)), np.array(belief)
 
 
-#: odds that a symmetry was meant, where most or all polygons of so few vertices have a skewed one
-_SYMMETRY_BELIEF = {3: 0.15, 4: 0.15}
+#: odds that a symmetry was meant where polygons have it without meaning it: every triangle, every trapezoid (its axis
+#: halves two sides: k is odd); a kite's axis goes through two vertices
+_SYMMETRY_BELIEF = {(3, 0): 0.15, (3, 1): 0.15, (4, 1): 0.2, (4, 0): 0.6}
 
 
 def _cross(vectors: Floats, unit: Floats) -> Floats:

@@ -7,7 +7,6 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sketch2shape.lift.face import centroid
 from sketch2shape.model import Floats, Ints
 
 
@@ -20,7 +19,7 @@ class Shape:
     pose      : (3, 3) rows: the plane's two axes and its normal, away from the viewer, in the viewer's axes
     origin    : (3,) where the plane's (0, 0) lies
     depth     : distance between the faces along the normal, negative if f2 is the nearer one
-    taper     : size of the back face over that of the front face
+    taper     : size of the back face over that of the front face; the axis goes through the mean of the outer vertices
     map       : (2, 2) the linear part of drawing -> flat, row vectors
     sizes     : vertices of each ring
     free      : was the depth a mere default?
@@ -45,7 +44,7 @@ class Shape:
     @property
     def vertices(self) -> Floats:
         """(2m, 3) in the object's order: front face, then back face."""
-        middle = centroid(self.flat[: self.sizes[0]])
+        middle = self.flat[: self.sizes[0]].mean(axis=0)
         back = middle + self.taper * (self.flat - middle)
         plane, normal = self.pose[:2], self.pose[2]
         own = np.concatenate([self.flat @ plane, back @ plane + self.depth * normal]) + self.origin

@@ -8,7 +8,7 @@ import numpy as np
 
 from sketch2shape.errors import PointsError
 from sketch2shape.lift.box import other_pairs, receding, true_pair
-from sketch2shape.lift.face import centroid, ring_area
+from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
 from sketch2shape.lift.options import LiftOptions
@@ -25,7 +25,7 @@ _FLAT = 0.01
 _EDGE_ON = 0.004
 
 #: a face drawn smaller than this, all facing the viewer, is a tapered object's, not a far one's
-_FAR_SCALE = 0.68
+_FAR_SCALE = 0.64
 
 
 def lift(
@@ -87,7 +87,7 @@ def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     face, d = _mean_face(drawing, taper)
     noise, sizes = drawing.noise, drawing.sizes
     pair, order = true_pair(drawing) if taper == 1.0 else (drawing, None)
-    flat = read_oblique(_mean_face(pair, taper)[0], sizes, noise)
+    flat = read_oblique(*_mean_face(pair, taper), sizes=sizes, noise=noise)
     slanted = read_axonometric(face, sizes, d, noise)
     odds = flat.odds - slanted.odds
     evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2)}
@@ -141,7 +141,7 @@ def _mean_face(drawing: Drawing, taper: float) -> tuple[Floats, Floats]:
     back = (second - drawing.relation.shift) / taper
     weight = taper**2 / (1.0 + taper**2) * known[:, None]
     face = first + weight * (back - first)
-    middle = centroid(face[:n])
+    middle = face[:n].mean(axis=0)
     return face, taper * middle + drawing.relation.shift - middle
 
 
