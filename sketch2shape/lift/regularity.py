@@ -62,7 +62,7 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     """
     start, finish = ring_ends(sizes)
     vectors, long = shape[finish] - shape[start], np.linalg.norm(drawn[finish] - drawn[start], axis=1)
-    label, sign = _parallel_classes(vectors, long, noise)
+    label, sign = parallel_classes(vectors, long, noise)
     k, m = int(label.max()) + 1, len(shape)
     directions = np.zeros((k, m))
     np.add.at(directions, (label, finish), sign)
@@ -194,7 +194,7 @@ def _previous(sizes: list[int]) -> Ints:
     return np.concatenate([s + np.roll(np.arange(n), 1) for s, n in zip(starts, sizes, strict=True)])
 
 
-def _parallel_classes(vectors: Floats, lengths: Floats, noise: float) -> tuple[Ints, Floats]:
+def parallel_classes(vectors: Floats, lengths: Floats, noise: float) -> tuple[Ints, Floats]:
     """Class of each edge's direction and the sign that turns it along its class; long edges lead."""
     label, sign = np.full(len(vectors), -1), np.ones(len(vectors))
     sums: list[Floats] = []

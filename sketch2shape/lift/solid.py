@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from sketch2shape.errors import PointsError
+from sketch2shape.lift.beautify import beautified
 from sketch2shape.lift.box import other_pairs, receding, true_pair
 from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
@@ -47,6 +48,8 @@ def lift(
         raise PointsError("a vertex of the object is not a finite number")
     drawing = prepare(obj)
     shape = _read(drawing, options)
+    if options.beautify:
+        shape = beautified(shape, drawing.noise)
     if options.necker:
         shape = _mirrored(shape)
     shape = measured(shape, options)
