@@ -15,11 +15,18 @@ _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight 
 
   sketch2shape drawing.png -o solid.obj           one picture, one mesh
   sketch2shape drawings/ -o meshes/ --json        a folder; its tree is kept
+  sketch2shape ui                                 the same in the browser, and put it right by hand
   cat drawing.png | sketch2shape - -o - > a.obj   standard input and output"""
 
 _EPILOG = """exit codes: 0 all done, 1 bug, 2 usage, 3 some inputs failed, 4 input unreadable or not an image,
 5 no two-face object found, 6 limit exceeded, 7 cannot write, 8 optional package missing, 130 interrupted"""
 
+_PICTURES = {
+    "overlay": "PNG of the object drawn over the drawing",
+    "stages": "PNG that shows each stage",
+    "preview": "PNG of the shaded solid",
+    "html": "page with the turning solid, needs no network",
+}
 _UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}
 
 
@@ -63,8 +70,11 @@ def _output_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     group.add_argument(
         "--format", metavar="FORMAT", action="append", default=[],
-        help="format where OUT is a folder or -: obj (default), stl, ply, glb, 3mf, off, json; several: obj,stl",
+        help="format where OUT is a folder or -: obj (default), stl, ply, glb, 3mf, off, json, overlay, "
+        "stages, preview, html; several: obj,stl",
     )  # fmt: skip
+    for product, what in _PICTURES.items():
+        group.add_argument(f"--{product}", metavar="FILE", help=f"{what}; for folders use --format {product}")
     group.add_argument("--json", action="store_true", help="write the report NAME.json beside each mesh")
     group.add_argument("--timings", action="store_true", help="reports tell the time of each stage")
     existing = group.add_mutually_exclusive_group()
@@ -82,6 +92,7 @@ def _reading_options(parser: argparse.ArgumentParser) -> None:
 def _method_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("method")
     group.add_argument("--connector", metavar="NAME", default="auto", help="orders face vertices (default auto)")
+    group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
 
 
 def _batch_options(parser: argparse.ArgumentParser) -> None:
@@ -92,6 +103,8 @@ def _batch_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--resume", action="store_true", help="go on with a run that was stopped")
     group.add_argument("--fail-fast", action="store_true", help="stop at the first input that fails")
     group.add_argument("--dry-run", action="store_true", help="print what would be read and written, and stop")
+    group.add_argument("--index", metavar="FILE.html", help="page with thumbnail, status and links of each input")
+    group.add_argument("--contact-sheet", metavar="FILE.png", help="picture with a thumbnail of each input")
     group.add_argument("--report", metavar="FILE", help="table of what became of each input, .jsonl or .csv")
     group.add_argument("--scheduler", metavar="URL", help="run on a Dask cluster, as tcp://host:8786")
     group.add_argument("--quiet", action="store_true", help="no progress and no summary, failures only")
@@ -135,8 +148,13 @@ def _bytes(text: str) -> int:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
-    arguments = parse(sys.argv[1:] if argv is None else argv)
+    words = list(sys.argv[1:] if argv is None else argv)
+    arguments = argparse.Namespace(inputs=["ui"], debug=False) if words[:1] == ["ui"] else parse(words)
     try:
+        if words[:1] == ["ui"]:
+            from sketch2shape.ui.serve import main as serve
+
+            return serve(words[1:])
         from sketch2shape.command import run
 
         return run(arguments)

@@ -10,10 +10,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from sketch2shape.batch.pages import wants_pages
 from sketch2shape.convert import Outcome, Output, Settings, Task, convert
+from sketch2shape.corrections_file import read_corrections
 from sketch2shape.errors import UsageError, one_line
 from sketch2shape.limits import Limits
-from sketch2shape.products import infixed, product_of, suffix
+from sketch2shape.products import PICTURES, infixed, product_of, suffix
 from sketch2shape.read import parse_page
 from sketch2shape.write import exists_error, sweep
 
@@ -39,7 +41,11 @@ def settings_of(arguments: Namespace) -> Settings:
     sizes = {"max_pixels": arguments.max_pixels, "max_bytes": arguments.max_bytes}
     limits = Limits(**{name: value for name, value in sizes.items() if value is not None})
     page = parse_page(arguments.pages)
-    return Settings(limits, page, stage_options(arguments), mesh_options(arguments), arguments.timings)
+    corrections = ""
+    if arguments.vertices:
+        many = len(arguments.inputs) > 1 or os.path.isdir(arguments.inputs[0])
+        corrections = read_corrections(arguments.vertices, many=many)
+    return Settings(limits, page, stage_options(arguments), corrections, mesh_options(arguments), arguments.timings)
 
 
 def stage_options(arguments: Namespace) -> dict[str, Any]:
@@ -56,6 +62,8 @@ def products_of(arguments: Namespace) -> list[str]:
     """The products asked for by name, without doubles: --format, and --json. Raises UsageError for an unknown one."""
     names = [part.strip().lower() for value in arguments.format for part in value.split(",")]
     products = list(dict.fromkeys(names or ["obj"]))
+    if wants_pages(arguments) and "overlay" not in products:
+        products.append("overlay")
     if arguments.json and "json" not in products:
         products.append("json")
     for product in products:
@@ -100,6 +108,7 @@ def _outputs_of(arguments: Namespace) -> list[Output]:
         if not files:
             raise UsageError("--json has no file to be written beside", remedy="-o FILE, or --format json -o -")
         wanted += [Output("json", os.path.splitext(path)[0] + ".json") for path in files]
+    wanted += [Output(kind, getattr(arguments, kind)) for kind in PICTURES if getattr(arguments, kind)]
     unique = list(dict.fromkeys(wanted))
     if len({o.path for o in unique}) < len(unique):
         raise UsageError("two outputs have the same name", remedy="another -o or --format")

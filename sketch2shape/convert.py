@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from sketch2shape.corrections import parse_corrections
 from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError, WriteError
 from sketch2shape.limits import Limits
 from sketch2shape.model import Picture
@@ -32,6 +33,7 @@ class Settings:
 
     page    : page of a TIFF or PDF, from 0; None for all
     stages  : keyword arguments of `reconstruct`
+    corrections : text of the corrections file, "" for none
     mesh    : keyword arguments of `encode`
     timings : whether the reports tell the time of each stage (they then differ from run to run)
     """
@@ -39,6 +41,7 @@ class Settings:
     limits: Limits = field(default_factory=Limits)
     page: int | None = 0
     stages: Mapping[str, Any] = field(default_factory=dict)
+    corrections: str = ""
     mesh: Mapping[str, Any] = field(default_factory=dict)
     timings: bool = False
 
@@ -160,7 +163,8 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
 def _reconstruct(picture: Picture, settings: Settings, read_ms: float) -> Result:
     from sketch2shape.reconstruct import reconstruct
 
-    result = reconstruct(picture, limits=settings.limits, **settings.stages)
+    given = parse_corrections(settings.corrections, picture.source) if settings.corrections else None
+    result = reconstruct(picture, limits=settings.limits, corrections=given, **settings.stages)
     return replace(result, timings_ms={**result.timings_ms, "read": read_ms})
 
 

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 SCHEMA = "sketch2shape-corrections/1"
 
-_REMEDY = "see the corrections file in docs/ui.md"
+_UNTANGLE = "vertices in ring order, none on another, no edges that cross"
 _MOST_VERTICES, _MOST_OBJECTS, _FARTHEST = 2000, 200, 1e6
 _FAMILIES = ("auto", "oblique", "axonometric", "perspective")
 _SIZES = ("width", "height", "depth")
@@ -98,6 +98,13 @@ def corrections_from(data: Any, name: str = "") -> Corrections | None:
     return Corrections(_objects(top))
 
 
+def lift_options(corrections: Corrections | None, index: int, base: LiftOptions) -> LiftOptions:
+    """The lift options for the object at this place: `base`, with what the corrections say of it put in its place."""
+    if corrections is None or index >= len(corrections.objects):
+        return base
+    return corrections.objects[index].options(base)
+
+
 def corrected(picture: Picture, corrections: Corrections, options: LiftOptions | None = None) -> Result:
     """The result made of the faces given by hand alone, lifted; the picture is not looked at.
 
@@ -113,8 +120,8 @@ def corrected(picture: Picture, corrections: Corrections, options: LiftOptions |
     objects = cast("tuple[TwoFaceObject, ...]", tuple(shapes))
     height, width = picture.pixels.shape[:2]
     solids = tuple(
-        lift(shape, picture_size=(width, height), options=given.options(base))
-        for shape, given in zip(objects, corrections.objects, strict=True)
+        lift(shape, picture_size=(width, height), options=lift_options(corrections, k, base))
+        for k, shape in enumerate(objects)
     )
     return Result(objects, solids, picture)
 
@@ -142,7 +149,7 @@ def _object(data: Any, where: str) -> ObjectCorrection:
         raise _wrong(f"{where} has the unknown entry {unknown[0]!r}")
     shape = None
     if "f1" in entry:
-        points = _points(entry["vertices"], f"{where}, vertices") if "vertices" in entry else None
+        points = points_from(entry["vertices"], f"{where}, vertices") if "vertices" in entry else None
         outer = _pair(entry, points, where)
         listed = _sequence(entry.get("holes", []), f"{where}, holes")
         shift = outer.f2[0] - outer.f1[0]
@@ -158,7 +165,7 @@ def _pair(entry: Mapping[str, Any], points: Floats | None, where: str, shift: Fl
     if "f2" in entry:
         f2 = _ring(entry["f2"], points, f"{where}, f2")
     elif "d" in entry:
-        f2 = f1 + _points([entry["d"]], f"{where}, d")[0]
+        f2 = f1 + points_from([entry["d"]], f"{where}, d")[0]
     elif shift is not None:
         f2 = f1 + shift
     else:
@@ -170,7 +177,7 @@ def _pair(entry: Mapping[str, Any], points: Floats | None, where: str, shift: Fl
 
 def _ring(data: Any, points: Floats | None, where: str) -> Floats:
     if points is None:
-        ring = _points(data, where)
+        ring = points_from(data, where)
     else:
         indices = _sequence(data, where)
         if not all(type(i) is int and 0 <= i < len(points) for i in indices):
@@ -181,7 +188,8 @@ def _ring(data: Any, points: Floats | None, where: str) -> Floats:
     return ring
 
 
-def _points(data: Any, where: str) -> Floats:
+def points_from(data: Any, where: str) -> Floats:
+    """(n, 2) float points of a JSON list; `where` names it in the UsageError raised if it is something else."""
     rows = _sequence(data, where)
     if len(rows) > 2 * _MOST_VERTICES:
         raise _wrong(f"{where} has more than {2 * _MOST_VERTICES} points")
@@ -199,13 +207,14 @@ def _check_faces(shape: TwoFaceObject, where: str) -> None:
     for side, name in ((0, "front"), (1, "back")):
         rings = [(pair.f1, pair.f2)[side] for pair in shape.rings]
         face = Polygon(rings[0], rings[1:])
-        if not face.is_valid:
-            what = "the outline crosses itself" if not Polygon(rings[0]).is_valid else "a hole is not inside it"
-            raise _wrong(f"{where}: the {name} face is not a polygon, {what}")
+        crossed = not Polygon(rings[0]).is_valid
+        if crossed or not face.is_valid:
+            what = "the outline crosses itself" if crossed else "a hole is not inside it"
+            raise _wrong(f"{where}: the {name} face is not a polygon, {what}", _UNTANGLE)
         if face.area < 1e-6:
-            raise _wrong(f"{where}: the {name} face has no area")
+            raise _wrong(f"{where}: the {name} face has no area", _UNTANGLE)
     if np.allclose(shape.f1, shape.f2, atol=1e-6):
-        raise _wrong(f"{where}: front and back face lie on each other")
+        raise _wrong(f"{where}: front and back face lie on each other", _UNTANGLE)
 
 
 def _projection(data: Any, where: str) -> Literal["auto", "oblique", "axonometric", "perspective"]:
@@ -239,5 +248,5 @@ def _sequence(data: Any, where: str) -> Sequence[Any]:
     return data
 
 
-def _wrong(message: str) -> UsageError:
-    return UsageError(message, remedy=_REMEDY)
+def _wrong(message: str, remedy: str = "the form of the corrections file in docs/ui.md") -> UsageError:
+    return UsageError(message, remedy=remedy)

@@ -3,16 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 from sketch2shape.errors import UsageError
 from sketch2shape.result import Result
 
 #: products that are no mesh -> ending of their files
-SUFFIXES: dict[str, str] = {"json": ".json"}
+SUFFIXES: dict[str, str] = {
+    "json": ".json",
+    "overlay": ".overlay.png",
+    "stages": ".stages.png",
+    "preview": ".preview.png",
+    "html": ".html",
+}
+
+#: products that are pictures of one result, each with an option of its name
+PICTURES = ("overlay", "stages", "preview", "html")
 
 #: products that are no mesh and need a result -> function of the result that gives the bytes
-ENCODERS: dict[str, Callable[[Result], bytes]] = {}
+ENCODERS: dict[str, Callable[[Result], bytes]] = {
+    "overlay": lambda result: _pictures().encode_png(_pictures().overlay(result)),
+    "stages": lambda result: _pictures().encode_png(_pictures().stages(result)),
+    "preview": lambda result: _pictures().encode_png(_pictures().preview_of(result)),
+    "html": lambda result: _pictures().viewer(result).encode("utf-8"),
+}
+
+
+def _pictures() -> ModuleType:
+    """The pictures, loaded when one is drawn."""
+    from sketch2shape import pictures
+
+    return pictures
 
 
 def suffix(product: str) -> str:

@@ -37,6 +37,7 @@ def reconstruct(
 
     Raises UnreadableError, LimitError, or NoObjectError if no two-face object is found with enough confidence.
     """
+    from sketch2shape.corrections import corrected, lift_options
     from sketch2shape.ink import find_ink
     from sketch2shape.lift import LiftOptions, choose_front
     from sketch2shape.lift import lift as lift_object
@@ -47,8 +48,6 @@ def reconstruct(
     with _timed(timings, "read"):
         picture = read_picture(source, limits)
     if corrections is not None and corrections.complete:
-        from sketch2shape.corrections import corrected
-
         return corrected(picture, corrections, options)
     with _timed(timings, "ink"):
         ink = find_ink(picture)
@@ -59,7 +58,10 @@ def reconstruct(
         raise NoObjectError(_why_not(objects, ink))
     height, width = picture.pixels.shape[:2]
     with _timed(timings, "lift"):
-        solids = tuple(lift_object(o, picture_size=(width, height), options=options) for o in sure)
+        solids = tuple(
+            lift_object(o, picture_size=(width, height), options=lift_options(corrections, k, options))
+            for k, o in enumerate(sure)
+        )
     return Result(sure, solids, picture, timings)
 
 

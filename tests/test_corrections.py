@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sketch2shape.corrections import SCHEMA, Corrections, corrected, corrections_from, parse_corrections
+from sketch2shape.corrections import SCHEMA, Corrections, corrected, corrections_from, lift_options, parse_corrections
 from sketch2shape.errors import UsageError
 from sketch2shape.lift import LiftOptions
 from sketch2shape.model import Picture
@@ -61,7 +61,7 @@ def test_a_corrected_box_is_lifted_to_its_size_without_looking_at_the_picture() 
     result = corrected(PICTURE, read(one(f1=FRONT, f2=BACK, projection="oblique", width="50mm")))
     assert result.picture is PICTURE
     assert result.solids[0].unit == "mm"
-    assert result.solids[0].volume > 0
+    assert result.solids[0].dimensions[0] == pytest.approx(50)
     assert result.mesh.is_watertight
 
 
@@ -138,3 +138,9 @@ _JSON = st.recursive(
 def test_any_json_is_taken_or_refused_in_words(entry: Any) -> None:
     with suppress(UsageError):  # anything else would be a bug
         corrections_from({"schema": SCHEMA, "objects": [entry]})
+
+
+def test_a_correction_without_faces_says_how_to_lift_what_is_found() -> None:
+    file = read(one(projection="oblique", depth="20mm"))
+    assert lift_options(file, 0, LiftOptions()).depth == "20mm"
+    assert lift_options(file, 1, LiftOptions()) == lift_options(None, 0, LiftOptions()) == LiftOptions()

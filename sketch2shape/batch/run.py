@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from sketch2shape.batch.manifest import Manifest, Past, load_past, options_hash
+from sketch2shape.batch.pages import check_pages, wants_pages, write_pages
 from sketch2shape.batch.plan import Plan, common_folder, make_plan, settle
 from sketch2shape.batch.pool import run_tasks
 from sketch2shape.batch.progress import Progress, follow
@@ -22,6 +23,7 @@ from sketch2shape.batch.table import check_table, encode_table, show_summary, su
 from sketch2shape.command import products_of
 from sketch2shape.convert import Outcome, Settings, Task
 from sketch2shape.errors import InterruptedRunError, UsageError
+from sketch2shape.products import PICTURES
 from sketch2shape.write import FolderLock, exists_error, make_folder, sweep, write_file
 
 Work = Callable[[Task], Outcome]
@@ -62,6 +64,11 @@ def _out(arguments: Namespace) -> str | None:
         check_table(arguments.report)
         if os.path.lexists(arguments.report) and not (arguments.overwrite or arguments.resume):
             raise exists_error(Path(arguments.report))
+    check_pages(arguments)
+    if any(getattr(arguments, kind) for kind in PICTURES):
+        raise UsageError(
+            "a picture's file is for a single input", remedy="--format obj,overlay and so on, or --index FILE"
+        )
     if not arguments.output:
         return None
     out = str(arguments.output[0])
@@ -171,6 +178,8 @@ class _Batch:
             data = encode_table(self.arguments.report, zip(self.plan.items, self._all(), strict=True))
             replace_file = self.arguments.overwrite or self.arguments.resume
             write_file(self.arguments.report, data, overwrite=replace_file)
+        if wants_pages(self.arguments):
+            write_pages(self.arguments, zip(self.plan.items, self._all(), strict=True))
         if not self.arguments.quiet:
             with contextlib.suppress(OSError):
                 show_summary(summary(self._all(), time.monotonic() - self.begin), sys.stderr)

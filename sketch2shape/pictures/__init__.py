@@ -6,7 +6,7 @@ All functions return pixels or text and write nothing; equal input gives equal b
 from sketch2shape.pictures.canvas import encode_png
 from sketch2shape.pictures.folder import Entry, contact_sheet, folder_index
 from sketch2shape.pictures.overlay import overlay
-from sketch2shape.pictures.preview import preview
+from sketch2shape.pictures.preview import preview, preview_of
 from sketch2shape.pictures.stages import Stage, stage_panels, stages
 from sketch2shape.pictures.viewer import viewer
 
@@ -18,6 +18,7 @@ __all__ = [
     "folder_index",
     "overlay",
     "preview",
+    "preview_of",
     "stage_panels",
     "stages",
     "viewer",

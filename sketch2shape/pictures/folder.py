@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from html import escape
+from itertools import islice
 from urllib.parse import quote
+
+import numpy as np
 
 from sketch2shape.pictures.canvas import Canvas, Pixels, encode_png, fit, shorten
 from sketch2shape.pictures.palette import BACKDROP, DONE, FAILED, INK, MUTED, PAPER, RULE, css
 from sketch2shape.pictures.viewer import data_uri
 
 _WIDTH, _HEIGHT, _GAP, _CAPTION = 300, 220, 16, 46
+_MOST_CARDS = 500
 
 
 @dataclass(frozen=True)
@@ -40,29 +44,38 @@ class Entry:
 
 
 def contact_sheet(entries: Iterable[Entry], columns: int = 5) -> Pixels:
-    """All thumbnails on one sheet with name and status, failed ones marked; (h, w, 3) uint8 RGB."""
-    cards = list(entries)
+    """All thumbnails on one sheet with name and status, failed ones marked, at most 500; (h, w, 3) uint8 RGB."""
+    cards = list(islice(entries, _MOST_CARDS + 1))
+    more, cards = len(cards) > _MOST_CARDS, cards[:_MOST_CARDS]
     columns = max(1, min(columns, len(cards)))
-    rows = max(1, -(-len(cards) // columns))
-    canvas = Canvas(_GAP + columns * (_WIDTH + _GAP), _GAP + rows * (_HEIGHT + _CAPTION + _GAP), BACKDROP)
+    rows = [_row(cards[k : k + columns], columns) for k in range(0, len(cards), columns)]
+    if more or not cards:
+        foot = Canvas(_GAP + columns * (_WIDTH + _GAP), 60, BACKDROP)
+        words = f"only the first {_MOST_CARDS} are shown" if more else "nothing to show"
+        foot.words((foot.width / 2, 26), words, 14, MUTED, "mm")
+        rows.append(foot.finish())
+    return np.concatenate(rows)
+
+
+def _row(cards: Sequence[Entry], columns: int) -> Pixels:
+    canvas = Canvas(_GAP + columns * (_WIDTH + _GAP), _GAP + _HEIGHT + _CAPTION, BACKDROP)
     for k, entry in enumerate(cards):
-        _card(canvas, entry, _GAP + k % columns * (_WIDTH + _GAP), _GAP + k // columns * (_HEIGHT + _CAPTION + _GAP))
-    if not cards:
-        canvas.words((canvas.width / 2, canvas.height / 2), "nothing to show", 14, MUTED, "mm")
+        _card(canvas, entry, _GAP + k * (_WIDTH + _GAP), _GAP)
     return canvas.finish()
 
 
 def folder_index(entries: Iterable[Entry], title: str) -> str:
     """An HTML page with a card for each input: thumbnail, status and links; it loads nothing from elsewhere."""
-    cards = list(entries)
-    failed = sum(e.message is not None for e in cards)
-    body = "\n".join(_html_card(e) for e in cards)
+    cards, failed = [], 0
+    for entry in entries:  # one at a time, so that a long folder's thumbnails are never all in memory
+        cards.append(_html_card(entry))
+        failed += entry.message is not None
     return _PAGE.format(
         title=escape(title),
         count=len(cards),
         done=len(cards) - failed,
         failed=failed,
-        cards=body,
+        cards="\n".join(cards),
         good=css(DONE),
         bad=css(FAILED),
     )

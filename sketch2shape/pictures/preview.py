@@ -7,19 +7,22 @@ right because depth is decided point by point. Edges are then walked in small st
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import cv2
 import numpy as np
 
-from sketch2shape.model import Bools, Floats, Solid
+from sketch2shape.model import Bools, Floats, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Pixels
 from sketch2shape.pictures.facets import Surface, surface
 from sketch2shape.pictures.palette import BACKDROP, INK, MUTED, PAPER, SHADE, mix
+from sketch2shape.result import Result
 
 _OVERSAMPLE = 2
 _DISTANCE = 4.2  # camera distance in radii of the scene: mild perspective
+_YAW, _PITCH = 28.0, 22.0
 _LIGHT = np.array([-0.45, -0.8, -0.55]) / np.linalg.norm([-0.45, -0.8, -0.55])
 
 
@@ -33,11 +36,11 @@ class _Scene:
 
 
 def preview(
-    solids: tuple[Solid, ...] | list[Solid],
+    solids: Sequence[Solid],
     size: tuple[int, int] = (960, 720),
     *,
-    yaw: float = 28.0,
-    pitch: float = 22.0,
+    yaw: float = _YAW,
+    pitch: float = _PITCH,
 ) -> Pixels:
     """The solids seen from the right and above.
 
@@ -55,6 +58,24 @@ def preview(
         depth = _fill(image, shape, scene)
         _draw_edges(image, shape, scene, depth)
     return cv2.resize(image, size, interpolation=cv2.INTER_AREA).astype(np.uint8)
+
+
+def preview_of(result: Result, size: tuple[int, int] = (960, 720)) -> Pixels:
+    """The result's solids from the side that the drawing shows; see `preview`."""
+    yaw, pitch = viewpoint(result.objects)
+    return preview(result.solids, size, yaw=yaw, pitch=pitch)
+
+
+def viewpoint(objects: Sequence[TwoFaceObject]) -> tuple[float, float]:
+    """Yaw and pitch, degrees, for `preview`: from the side that the first object's drawing shows."""
+    if not objects:
+        return _YAW, _PITCH
+    away = objects[0].f2.mean(axis=0) - objects[0].f1.mean(axis=0)
+    length = float(np.hypot(*away))
+    if length < 0.02 * float(np.ptp(objects[0].vertices, axis=0).max()):
+        return _YAW, _PITCH  # seen from straight ahead
+    right, up = np.clip(np.array([away[0], -away[1]]) / length / 0.4, -1, 1)
+    return round(float(right) * _YAW, 1), round(float(up) * _PITCH, 1)
 
 
 def turn(yaw: float, pitch: float) -> Floats:
@@ -179,7 +200,7 @@ def _edge_runs(scene: _Scene, edge: Floats, depth: Floats) -> list[tuple[float, 
     return [(a / count, b / count, bool(seen[a])) for a, b in pairwise(cuts)]
 
 
-_AROUND = [(dx, dy) for dx in (-2, 0, 2) for dy in (-2, 0, 2)]
+_AROUND = [(dx, dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
 
 
 def _stroke(image: Pixels, a: Floats, b: Floats, colour: tuple[int, int, int], width: float) -> None:

@@ -14,7 +14,7 @@ from sketch2shape.model import Floats, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit
 from sketch2shape.pictures.overlay import draw_object
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, MUTED, PAPER, RULE, Colour, mix
-from sketch2shape.pictures.preview import preview
+from sketch2shape.pictures.preview import preview_of
 from sketch2shape.result import Result
 
 _WIDTH, _HEIGHT, _GAP, _CAPTION, _COLUMNS = 440, 340, 20, 40, 4
@@ -72,7 +72,7 @@ def stage_panels(result: Result, size: tuple[int, int] = (_WIDTH, _HEIGHT)) -> l
         if family[:1] in "ao"
         else "Lifted from perspective."
     )
-    panels.append(Stage("Solid", words, preview(result.solids, size)))
+    panels.append(Stage("Solid", words, preview_of(result, size)))
     return panels
 
 

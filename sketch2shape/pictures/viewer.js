@@ -3,19 +3,21 @@
    Strategy: each triangle is filled into a depth buffer point by point, so that concave solids come out right; edges are then
    walked in small steps and stroked where nothing is nearer. The solids here have tens of triangles, so this is fast. */
 class SolidView {
-  /* canvas: the element; shape: {vertices: [[x, y, z]], triangles: [[i, j, k]], edges: [[i, j]]}, x right, y down, z away */
+  /* canvas: the element; shape: {vertices: [[x, y, z]], triangles: [[i, j, k]], edges: [[i, j]], view: [yaw, pitch]}, x right,
+     y down, z away */
   constructor(canvas, shape) {
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
+    this.shape = shape || { vertices: [], triangles: [], edges: [] };
     this.home();
     this.hidden = true;
     this.pending = false;
-    this.show(shape || { vertices: [], triangles: [], edges: [] });
+    this.show(this.shape);
     this.listen();
     if (window.ResizeObserver) new ResizeObserver(() => this.draw()).observe(canvas);
   }
 
-  home() { this.yaw = 28; this.pitch = 22; this.zoom = 1; }
+  home() { [this.yaw, this.pitch] = this.shape.view || [28, 22]; this.zoom = 1; }
 
   show(shape) {
     this.shape = shape;
@@ -127,7 +129,7 @@ class SolidView {
   seen(a, b, t, depth, w, h) {
     const x = Math.round(a.x + t * (b.x - a.x)), y = Math.round(a.y + t * (b.y - a.y));
     const near = a.near + t * (b.near - a.near) + 2e-4;
-    for (let dy = -2; dy <= 2; dy += 2) for (let dx = -2; dx <= 2; dx += 2) {
+    for (let dy = -1; dy <= 1; dy++) for (let dx = -1; dx <= 1; dx++) {
       const px = Math.min(w - 1, Math.max(0, x + dx)), py = Math.min(h - 1, Math.max(0, y + dy));
       if (near >= depth[py * w + px]) return true;
     }

@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from sketch2shape.model import Solid
 from sketch2shape.pictures.canvas import encode_png, fit
 from sketch2shape.pictures.facets import surface
 from sketch2shape.pictures.overlay import overlay
+from sketch2shape.pictures.preview import viewpoint
 from sketch2shape.result import Result
 
 
@@ -26,7 +26,7 @@ def viewer(result: Result, title: str | None = None) -> str:
         picture=data_uri(encode_png(_thumb(result))),
         facts="".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in facts(result)),
         script=renderer(),
-        shape=shape_json(result.solids),
+        shape=shape_json(result),
     )
 
 
@@ -48,19 +48,20 @@ def facts(result: Result) -> list[tuple[str, str]]:
     return rows or [("Status", "no two-face object found")]
 
 
-def shape(solids: tuple[Solid, ...] | list[Solid]) -> dict[str, Any]:
+def shape(result: Result) -> dict[str, Any]:
     """What the renderer in the page needs, ready for JSON."""
-    form = surface(solids)
+    form = surface(result.solids)
     return {
         "vertices": [[round(float(c), 4) for c in v] for v in form.vertices],
         "triangles": form.triangles.tolist(),
         "edges": form.edges.tolist(),
+        "view": viewpoint(result.objects),
     }
 
 
-def shape_json(solids: tuple[Solid, ...] | list[Solid]) -> str:
+def shape_json(result: Result) -> str:
     """`shape` as text that is safe inside a script element."""
-    return json.dumps(shape(solids), separators=(",", ":")).replace("<", "\\u003c")
+    return json.dumps(shape(result), separators=(",", ":")).replace("<", "\\u003c")
 
 
 def data_uri(png: bytes) -> str:

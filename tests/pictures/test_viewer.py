@@ -19,7 +19,7 @@ def test_the_page_holds_every_vertex_and_edge(notched: Result) -> None:
     data = json.loads(re.search(r"new SolidView\([^,]+, (\{.*\})\);", page)[1])
     assert len(data["vertices"]) == 16
     assert len(data["edges"]) == 24
-    assert data == json.loads(json.dumps(shape(notched.solids)))
+    assert data == json.loads(json.dumps(shape(notched)))
 
 
 def test_a_name_cannot_become_markup(box: Result) -> None:

@@ -1,0 +1,72 @@
+"""The pictures of a whole batch: an HTML index and a contact sheet, made of the overlays that were written."""
+
+from __future__ import annotations
+
+import os
+from argparse import Namespace
+from collections.abc import Iterable, Sequence
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from sketch2shape.batch.plan import Planned
+from sketch2shape.convert import Outcome
+from sketch2shape.errors import Sketch2ShapeError, UsageError
+from sketch2shape.write import write_file
+
+if TYPE_CHECKING:
+    from sketch2shape.pictures import Entry
+    from sketch2shape.pictures.canvas import Pixels
+
+Rows = Iterable[tuple[Planned, Outcome]]
+
+
+def wants_pages(arguments: Namespace) -> bool:
+    """Whether pictures of the whole batch are asked for, so that each input needs its overlay."""
+    return bool(arguments.index or arguments.contact_sheet)
+
+
+def check_pages(arguments: Namespace) -> None:
+    """Raise UsageError if the pages cannot be written under the names given."""
+    for path, ending in ((arguments.index, ".html"), (arguments.contact_sheet, ".png")):
+        if path and not path.lower().endswith(ending):
+            raise UsageError(f"{path} does not end in {ending}", remedy=f"FILE{ending}")
+
+
+def write_pages(arguments: Namespace, rows: Rows) -> None:
+    """Write the index and the contact sheet that are asked for. Raises WriteError."""
+    from sketch2shape.pictures import contact_sheet, encode_png, folder_index
+
+    outcomes = list(rows)
+    again = arguments.overwrite or arguments.resume
+    if arguments.index:
+        entries = _entries(outcomes, os.path.dirname(os.path.abspath(arguments.index)))
+        title = ", ".join(PurePath(os.path.abspath(i)).name for i in arguments.inputs[:3])
+        write_file(arguments.index, folder_index(entries, title).encode("utf-8", "replace"), overwrite=again)
+    if arguments.contact_sheet:
+        sheet = contact_sheet(_entries(outcomes, "."))
+        write_file(arguments.contact_sheet, encode_png(sheet), overwrite=again)
+
+
+def _entries(rows: Sequence[tuple[Planned, Outcome]], base: str) -> Iterable[Entry]:
+    """One entry for each input, thumbnails read as they are needed; links are relative to the folder `base`."""
+    from sketch2shape.pictures import Entry
+
+    for item, outcome in rows:
+        thumbnail = next((_thumbnail(o.path) for o in item.outputs if o.product == "overlay"), None)
+        links = [
+            (o.product, PurePath(os.path.relpath(o.path, base)).as_posix())
+            for o in item.outputs
+            if outcome.exit_code == 0 and os.path.exists(o.path)
+        ]
+        yield Entry(item.name, thumbnail, outcome.confidence, outcome.message, links)
+
+
+def _thumbnail(path: str) -> Pixels | None:
+    """The overlay that the run wrote, reduced; None where there is none."""
+    from sketch2shape.pictures.canvas import fit
+    from sketch2shape.read import read_picture
+
+    try:
+        return fit(read_picture(path).pixels, 600, 440)[0]
+    except Sketch2ShapeError:
+        return None

@@ -1,0 +1,203 @@
+"""The web app: a page, and a few requests that hand plain data to the workers and back.
+
+It keeps nothing of what it is sent.
+"""
+
+from __future__ import annotations
+
+import json
+from base64 import b64decode
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
+from contextlib import asynccontextmanager
+from functools import cache
+from importlib.resources import files
+from typing import Any
+from urllib.parse import unquote
+
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from sketch2shape import __version__
+from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.ui import jobs
+from sketch2shape.ui.examples import EXAMPLES, example_png
+from sketch2shape.ui.guard import Guard, Refusal, read_body
+from sketch2shape.ui.serve import LOCAL_NAMES
+from sketch2shape.ui.workers import BusyError, WorkerPool, Workers
+
+_PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, media type: nothing else is served
+    "/": ("sketch2shape.ui", "page/index.html", "text/html; charset=utf-8"),
+    "/style.css": ("sketch2shape.ui", "page/style.css", "text/css; charset=utf-8"),
+    "/icon.svg": ("sketch2shape.ui", "page/icon.svg", "image/svg+xml"),
+    "/viewer.js": ("sketch2shape.pictures", "viewer.js", "text/javascript; charset=utf-8"),
+    **{
+        f"/{name}.js": ("sketch2shape.ui", f"page/{name}.js", "text/javascript; charset=utf-8")
+        for name in ("app", "editor", "history", "server", "shape", "sketchpad")
+    },
+}
+
+#: exit code of an error -> HTTP status
+_STATUS = {1: 500, 2: 400, 4: 415, 5: 422, 6: 413, 8: 501}
+_PICTURE_KINDS = ("image/", "application/octet-stream", "application/pdf")
+_LIFT_SECONDS, _MOST_JSON = 15.0, 2**20
+
+
+def create_app(
+    *,
+    workers: Workers | None = None,
+    names: frozenset[str] = LOCAL_NAMES,
+    max_upload: int = 24 * 2**20,
+    seconds: float = 60.0,
+) -> Starlette:
+    """The ASGI application.
+
+    workers    : who does the work; None starts worker processes with the app
+    names      : host names the app answers to
+    max_upload : largest picture taken, bytes
+    seconds    : time limit for one picture
+    """
+    service = _Service(workers, max_upload, seconds)
+    routes = [Route(address, _page_file, methods=["GET"]) for address in _PAGE_FILES]
+    routes += [
+        Route("/examples", _examples, methods=["GET"]),
+        Route("/examples/{name}.png", _example, methods=["GET"]),
+        Route("/api/reconstruct", service.reconstruct, methods=["POST"]),
+        Route("/api/lift", service.lift, methods=["POST"]),
+        Route("/api/connect", service.connect, methods=["POST"]),
+        Route("/api/stages", service.stages, methods=["POST"]),
+        Route("/api/export/{form}", service.export, methods=["POST"]),
+    ]
+    return Starlette(
+        routes=routes,
+        middleware=[Middleware(Guard, names=names)],
+        exception_handlers={404: _plain_refusal, 405: _plain_refusal},
+        lifespan=service.lifespan,
+    )
+
+
+Answer = Callable[["_Service", Request], Awaitable[Response]]
+
+
+def _in_plain_words(answer: Answer) -> Answer:
+    """Turn what goes wrong into a status and words for the page."""
+
+    async def guarded(self: _Service, request: Request) -> Response:
+        try:
+            return await answer(self, request)
+        except Refusal as refusal:
+            return refusal.response()
+        except Sketch2ShapeError as error:
+            status = 503 if isinstance(error, BusyError) else _STATUS.get(error.exit_code, 500)
+            return JSONResponse({"error": error.message, "advice": error.advice}, status_code=status)
+        except Exception as error:  # the last line of defence: the page is told, the app goes on
+            words = f"something went wrong inside ({type(error).__name__})"
+            return JSONResponse({"error": words, "advice": "report this as a bug, with the drawing"}, status_code=500)
+
+    return guarded
+
+
+class _Service:
+    """The requests that need work done."""
+
+    def __init__(self, workers: Workers | None, max_upload: int, seconds: float) -> None:
+        self._workers, self._max_upload, self._seconds = workers, max_upload, seconds
+
+    @asynccontextmanager
+    async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
+        """Keep the workers as long as the app runs."""
+        own = self._workers is None
+        self._workers = self._workers or WorkerPool()
+        try:
+            yield
+        finally:
+            if own:
+                self.workers.close()
+
+    @property
+    def workers(self) -> Workers:
+        """The workers, started."""
+        if self._workers is None:
+            raise RuntimeError("the app has not been started")
+        return self._workers
+
+    @_in_plain_words
+    async def reconstruct(self, request: Request) -> Response:
+        """Picture bytes in; objects, solids and stages out."""
+        data = await read_body(request, _PICTURE_KINDS, self._max_upload)
+        name = unquote(request.headers.get("x-name", ""))[:200] or "drawing"
+        found = await self.workers.run(jobs.reconstruct_picture, data, name, seconds=self._seconds)
+        return JSONResponse(found)
+
+    @_in_plain_words
+    async def lift(self, request: Request) -> Response:
+        """Corrections in, solids out."""
+        data = await _read_json(request, _MOST_JSON)
+        return JSONResponse(await self.workers.run(jobs.lift_corrections, data, seconds=_LIFT_SECONDS))
+
+    @_in_plain_words
+    async def connect(self, request: Request) -> Response:
+        """{"front": points, "back": points} in, rings out."""
+        data = await _read_json(request, _MOST_JSON)
+        front, back = (data.get(k) for k in ("front", "back"))
+        return JSONResponse(await self.workers.run(jobs.connect_loose, front, back, seconds=_LIFT_SECONDS))
+
+    @_in_plain_words
+    async def stages(self, request: Request) -> Response:
+        """{"picture": base64, "corrections": ...} in, the stages' pictures out."""
+        data = await _read_json(request, self._max_upload * 4 // 3 + _MOST_JSON)
+        try:
+            picture = b64decode(data["picture"], validate=True)
+        except (KeyError, TypeError, ValueError) as error:
+            raise Refusal(400, "the request holds no picture") from error
+        found = await self.workers.run(jobs.show_stages, picture, data.get("corrections"), seconds=self._seconds)
+        return JSONResponse(found)
+
+    @_in_plain_words
+    async def export(self, request: Request) -> Response:
+        """Corrections in, a mesh file out."""
+        data = await _read_json(request, _MOST_JSON)
+        made = await self.workers.run(jobs.export_corrections, data, request.path_params["form"], seconds=_LIFT_SECONDS)
+        return Response(made, media_type="application/octet-stream")
+
+
+async def _read_json(request: Request, most: int) -> Mapping[str, Any]:
+    """The body as a JSON object. Raises Refusal."""
+    body = await read_body(request, ("application/json",), most)
+    try:
+        data = json.loads(body)
+    except (ValueError, RecursionError) as error:
+        raise Refusal(400, "the request is not JSON") from error
+    if not isinstance(data, dict):
+        raise Refusal(400, "the request is not a JSON object")
+    return data
+
+
+@cache
+def _content(package: str, name: str) -> bytes:
+    return files(package).joinpath(name).read_bytes()
+
+
+async def _page_file(request: Request) -> Response:
+    package, name, kind = _PAGE_FILES[request.url.path]
+    return Response(_content(package, name), media_type=kind)
+
+
+async def _examples(_request: Request) -> Response:
+    listed = [{"name": name, "title": example.title} for name, example in EXAMPLES.items()]
+    return JSONResponse({"examples": listed, "version": __version__})
+
+
+async def _example(request: Request) -> Response:
+    name = request.path_params["name"]
+    if name not in EXAMPLES:
+        return Refusal(404, "there is no such example").response()
+    return Response(example_png(name), media_type="image/png")
+
+
+async def _plain_refusal(_request: Request, error: Exception) -> Response:
+    status = getattr(error, "status_code", 404)
+    words = "there is no such page" if status == 404 else "this cannot be asked in this way"
+    return Refusal(status, words).response()

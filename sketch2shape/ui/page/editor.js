@@ -1,0 +1,272 @@
+/* The drawing with its vertices as an SVG that can be edited with mouse, pen, finger and keyboard. */
+import * as shape from "./shape.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+const SPOT = 6, HALO = 15, SNAP = 10;  // screen pixels
+
+function element(kind, attributes, parent) {
+  const made = document.createElementNS(SVG, kind);
+  for (const [k, v] of Object.entries(attributes)) made.setAttribute(k, v);
+  if (parent) parent.append(made);
+  return made;
+}
+
+export class Editor {
+  /* on: {change(state, done), hint(words)}; `done` is false while something is being dragged */
+  constructor(svg, on) {
+    this.svg = svg;
+    this.on = on;
+    this.tool = "move";
+    this.together = false;
+    this.chosen = null;
+    this.drag = null;
+    this.trace = null;
+    this.fingers = new Map();
+    this.open("", 640, 480, { objects: [], loose: [] }, []);
+    svg.addEventListener("pointerdown", e => this.down(e));
+    svg.addEventListener("pointermove", e => this.move(e));
+    svg.addEventListener("pointerup", e => this.up(e));
+    svg.addEventListener("pointercancel", e => this.up(e));
+    svg.addEventListener("dblclick", () => this.closeTrace());
+    svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(Math.exp(e.deltaY / 500), this.at(e)); }, { passive: false });
+    svg.addEventListener("keydown", e => this.key(e));
+    svg.addEventListener("focusin", e => this.choose(this.nameOf(e.target)));
+    new ResizeObserver(() => this.paint()).observe(svg);
+  }
+
+  open(picture, width, height, state, corners) {
+    Object.assign(this, { picture, width, height, state, corners, chosen: null, trace: null, drag: null });
+    this.fit();
+  }
+
+  show(state) { this.state = state; this.trace = null; this.paint(); }
+
+  setTool(tool) { this.tool = tool; this.trace = null; this.svg.dataset.tool = tool; this.paint(); this.say(); }
+
+  say() {
+    const words = {
+      move: "Drag a vertex to its place; drag beside it to move the drawing, wheel or pinch to zoom.",
+      add: "Click near an edge to put a vertex into it; its partner on the other face comes with it.",
+      delete: "Click a vertex to delete it with its partner.",
+      face: "Click a vertex to give it to the other face. Loose vertices go from none to front to back.",
+      trace: "Click around the front face, corner by corner; click the first one again to close it. A ring inside a face is a hole.",
+    };
+    this.on.hint(this.trace?.closed ? "Now click where the marked corner lies on the back face." : words[this.tool]);
+  }
+
+  /* ---- view */
+  fit() { this.box = [-0.5 - this.width * 0.03, -0.5 - this.height * 0.03, this.width * 1.06, this.height * 1.06]; this.paint(); }
+
+  zoom(factor, at) {
+    const [x, y, w, h] = this.box;
+    const f = Math.min(2 * this.width / w, Math.max(this.width / 60 / w, factor));
+    const [cx, cy] = at || [x + w / 2, y + h / 2];
+    this.box = [cx + (x - cx) * f, cy + (y - cy) * f, w * f, h * f];
+    this.paint();
+  }
+
+  /* picture pixels of one screen pixel */
+  get unit() {
+    const { width, height } = this.svg.getBoundingClientRect();
+    return width && height ? Math.max(this.box[2] / width, this.box[3] / height) : 1;
+  }
+
+  at(e) {
+    const matrix = this.svg.getScreenCTM();
+    if (!matrix) return [0, 0];
+    const p = new DOMPoint(e.clientX, e.clientY).matrixTransform(matrix.inverse());
+    return [p.x, p.y];
+  }
+
+  snapped(p) {
+    const near = this.corners.map(c => [Math.hypot(c[0] - p[0], c[1] - p[1]), c]).sort((a, b) => a[0] - b[0])[0];
+    return near && near[0] < SNAP * this.unit ? [...near[1]] : p.map(c => Math.round(c * 100) / 100);
+  }
+
+  paint() {
+    const focused = this.nameOf(document.activeElement);
+    this.svg.setAttribute("viewBox", this.box.join(" "));
+    const page = document.createDocumentFragment();
+    if (this.picture) element("image", { href: this.picture, x: -0.5, y: -0.5, width: this.width, height: this.height, preserveAspectRatio: "none" }, page);
+    for (const object of this.state.objects) this.paintObject(object, page);
+    if (["trace", "face", "add"].includes(this.tool)) {
+      for (const [x, y] of this.corners) element("circle", { cx: x, cy: y, r: 2.5 * this.unit, fill: "#39414d", "fill-opacity": 0.5 }, page);
+    }
+    this.state.objects.forEach((object, k) => shape.rings(object).forEach((ring, r) => [2, 1].forEach(face =>
+      ring[`f${face}`].forEach((_, index) => this.paintVertex({ object: k, ring: r, face, index }, page)))));
+    this.state.loose.forEach((_, k) => this.paintVertex({ loose: k }, page));
+    this.paintTrace(page);
+    this.svg.replaceChildren(page);
+    if (focused) this.svg.querySelector(`[data-name='${JSON.stringify(focused)}']`)?.focus({ preventScroll: true });
+  }
+
+  paintObject(object, page) {
+    const path = shape.rings(object).map(r => `M${r.f1.map(p => p.join(" ")).join("L")}Z`).join("");
+    element("path", { d: path, class: "fill" }, page);
+    const line = (a, b, kind) => element("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: kind }, page);
+    for (const { f1, f2 } of shape.rings(object)) {
+      f2.forEach((p, i) => line(p, f2[(i + 1) % f2.length], "back"));
+      f1.forEach((p, i) => line(p, f2[i], "join"));
+      f1.forEach((p, i) => line(p, f1[(i + 1) % f1.length], "front"));
+    }
+  }
+
+  paintVertex(name, page) {
+    const [x, y] = shape.where(this.state, name);
+    const face = "loose" in name ? this.state.loose[name.loose].face : name.face;
+    const words = ["Loose", "Front", "Back"][face] + ` vertex ${("loose" in name ? name.loose : name.index) + 1}` + (name.ring ? ` of hole ${name.ring}` : "");
+    const spot = element("g", {
+      class: `vertex f${face}${shape.same(name, this.chosen) ? " chosen" : ""}`, tabindex: 0, role: "button", "data-name": JSON.stringify(name),
+      "aria-label": `${words}, at ${Math.round(x)}, ${Math.round(y)}`,
+    }, page);
+    element("circle", { cx: x, cy: y, r: HALO * this.unit, class: "halo" }, spot);
+    element("circle", { cx: x, cy: y, r: SPOT * this.unit, class: "spot" }, spot);
+  }
+
+  paintTrace(page) {
+    if (!this.trace) return;
+    const { points, closed, pointer } = this.trace;
+    element(closed ? "polygon" : "polyline", { points: [...points, ...(closed || !pointer ? [] : [pointer])].map(p => p.join(",")).join(" "), class: "trace" }, page);
+    points.forEach((p, k) => element("circle", { cx: p[0], cy: p[1], r: (k ? 4 : 7) * this.unit, fill: k ? "#0062b2" : "#000" }, page));
+    if (closed && pointer) element("line", { x1: points[0][0], y1: points[0][1], x2: pointer[0], y2: pointer[1], class: "join" }, page);
+  }
+
+  /* ---- pointer */
+  nameOf(target) {
+    const vertex = target?.closest?.("g.vertex");
+    return vertex && this.svg.contains(vertex) ? JSON.parse(vertex.dataset.name) : null;
+  }
+
+  /* the vertex nearest to the pointer, within reach */
+  reach(e) {
+    const p = this.at(e), names = [...this.svg.querySelectorAll("g.vertex")].map(v => JSON.parse(v.dataset.name));
+    const gaps = names.map(n => { const q = shape.where(this.state, n); return [Math.hypot(q[0] - p[0], q[1] - p[1]), n]; });
+    const best = gaps.sort((a, b) => a[0] - b[0])[0];
+    return best && best[0] <= HALO * this.unit ? best[1] : null;
+  }
+
+  choose(name) {
+    if (!name || shape.same(name, this.chosen)) return;
+    this.chosen = name;
+    this.on.choose?.(name);
+  }
+
+  commit(state) { this.state = state; this.paint(); this.on.change(state, true); }
+
+  down(e) {
+    if (e.button > 0) return;
+    this.fingers.set(e.pointerId, [e.clientX, e.clientY]);
+    this.svg.setPointerCapture(e.pointerId);
+    if (this.fingers.size > 1) { this.drag = null; this.pinch = null; return; }
+    const name = this.reach(e), at = this.at(e);
+    if (name) { e.preventDefault(); this.focus(name); }
+    if (this.tool === "trace") this.traceClick(at);
+    else if (this.tool === "add" && !name) this.addAt(at);
+    else if (this.tool === "delete" && name) this.remove(name);
+    else if (this.tool === "face" && name) this.commit(shape.reassigned(this.state, name));
+    else this.drag = name ? { name, start: this.state, grip: shape.where(this.state, name).map((c, k) => c - at[k]) } : { pan: at };
+  }
+
+  move(e) {
+    if (this.trace) { this.trace.pointer = this.snapped(this.at(e)); this.paint(); }
+    if (!this.fingers.has(e.pointerId)) return;
+    this.fingers.set(e.pointerId, [e.clientX, e.clientY]);
+    if (this.fingers.size === 2) this.pinchMove();
+    else if (this.drag?.pan) this.pan(this.drag.pan, this.at(e));
+    else if (this.drag) {
+      const at = this.at(e), to = this.snapped(at.map((c, k) => c + this.drag.grip[k]));
+      this.drag.moved = true;
+      this.state = shape.moved(this.drag.start, this.drag.name, to, this.together !== e.shiftKey);
+      this.paint();
+      this.on.change(this.state, false);
+    }
+  }
+
+  up(e) {
+    this.fingers.delete(e.pointerId);
+    this.pinch = null;
+    if (this.drag?.moved) this.on.change(this.state, true);
+    this.drag = null;
+  }
+
+  pan(from, to) { this.box[0] += from[0] - to[0]; this.box[1] += from[1] - to[1]; this.paint(); }
+
+  pinchMove() {
+    const [a, b] = [...this.fingers.values()], gap = Math.hypot(a[0] - b[0], a[1] - b[1]) || 1;
+    const middle = this.at({ clientX: (a[0] + b[0]) / 2, clientY: (a[1] + b[1]) / 2 });
+    if (this.pinch) { this.pan(this.pinch.middle, middle); this.zoom(this.pinch.gap / gap, this.pinch.middle); }
+    this.pinch = { gap, middle: this.at({ clientX: (a[0] + b[0]) / 2, clientY: (a[1] + b[1]) / 2 }) };
+  }
+
+  /* ---- tools */
+  addAt(at) {
+    const edge = shape.nearestEdge(this.state, at), point = this.snapped(at);
+    if (edge && edge.gap < 60 * this.unit) {
+      this.commit(shape.inserted(this.state, edge, point));
+      this.focus({ object: edge.object, ring: edge.ring, face: edge.face, index: edge.index + 1 });
+    } else {
+      const next = shape.copy(this.state);
+      next.loose.push({ x: point[0], y: point[1], face: 0 });
+      this.commit(next);
+    }
+  }
+
+  remove(name) { this.chosen = null; this.commit(shape.deleted(this.state, name)); }
+
+  focus(name) {
+    this.choose(name);
+    this.paint();
+    this.svg.querySelector(`[data-name='${JSON.stringify(name)}']`)?.focus({ preventScroll: true });
+  }
+
+  traceClick(at) {
+    const p = this.snapped(at);
+    if (!this.trace) this.trace = { points: [p], closed: false, pointer: null };
+    else if (this.trace.closed) return this.finishTrace(p);
+    else if (Math.hypot(p[0] - this.trace.points[0][0], p[1] - this.trace.points[0][1]) < HALO * this.unit) return this.closeTrace();
+    else if (Math.hypot(...p.map((c, k) => c - this.trace.points[this.trace.points.length - 1][k])) > 2 * this.unit) this.trace.points.push(p);
+    this.paint();
+    return null;
+  }
+
+  closeTrace() {
+    if (!this.trace || this.trace.closed || this.trace.points.length < 3) return;
+    const host = shape.hostOf(this.state, this.trace.points);
+    if (host >= 0) {
+      const ring = this.trace.points;
+      this.trace = null;
+      this.commit(shape.withHole(this.state, host, ring));
+    } else {
+      this.trace.closed = true;
+      this.trace.pointer = null;
+      this.paint();
+    }
+    this.say();
+  }
+
+  finishTrace(p) {
+    const ring = this.trace.points, d = p.map((c, k) => c - ring[0][k]);
+    if (Math.hypot(...d) < 3 * this.unit) return;
+    this.trace = null;
+    this.commit(shape.withObject(this.state, ring, ring.map(q => [q[0] + d[0], q[1] + d[1]])));
+    this.say();
+  }
+
+  /* ---- keyboard */
+  key(e) {
+    if (e.key === "Escape" && this.trace) { this.trace = null; this.paint(); this.say(); return; }
+    if (e.key === "Enter" && this.trace) { this.closeTrace(); return; }
+    const name = this.nameOf(e.target);
+    if (!name || e.ctrlKey || e.metaKey || e.altKey) return;
+    const step = e.shiftKey ? 10 : 1;
+    const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] };
+    if (moves[e.key]) {
+      const to = shape.where(this.state, name).map((c, k) => c + moves[e.key][k]);
+      this.commit(shape.moved(this.state, name, to, this.together));
+    } else if (e.key === "Delete" || e.key === "Backspace") this.remove(name);
+    else if (e.key === "f") this.commit(shape.reassigned(this.state, name));
+    else return;
+    e.preventDefault();
+    e.stopPropagation();
+  }
+}

@@ -1,0 +1,128 @@
+"""Start the web app on this machine: `sketch2shape ui`."""
+
+from __future__ import annotations
+
+import argparse
+import socket
+import sys
+import threading
+import webbrowser
+from collections.abc import Callable, Sequence
+
+from sketch2shape.errors import MissingPackageError, UsageError
+
+LOCAL_NAMES = frozenset({"127.0.0.1", "localhost", "[::1]"})
+"""Host names that mean this machine."""
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """The options of `sketch2shape ui`."""
+    parser = argparse.ArgumentParser(
+        prog="sketch2shape ui",
+        description="See drawings turn into solids, and put them right by hand, in the browser. "
+        "Everything stays on this machine.",
+    )
+    parser.add_argument(
+        "--host", default="127.0.0.1", help="address to listen on (default 127.0.0.1: this machine only)"
+    )
+    parser.add_argument("--port", type=int, default=8765, help="port, 0 for any free one (default 8765)")
+    parser.add_argument(
+        "--allow-host",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="also answer to this host name (may be repeated)",
+    )
+    parser.add_argument("--no-browser", action="store_true", help="do not open the browser")
+    parser.add_argument("--max-upload", metavar="MB", type=float, default=24, help="largest picture taken (default 24)")
+    parser.add_argument("--timeout", metavar="S", type=float, default=60, help="seconds for one picture (default 60)")
+    return parser
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run `sketch2shape ui` with these arguments until it is interrupted; returns the exit code."""
+    options = build_parser().parse_args(argv)
+    serve(
+        options.host,
+        options.port,
+        names=LOCAL_NAMES | set(options.allow_host),
+        max_upload=int(options.max_upload * 2**20),
+        seconds=options.timeout,
+        on_start=_announce if options.no_browser else _announce_and_open,
+    )
+    return 0
+
+
+def serve(
+    host: str = "127.0.0.1",
+    port: int = 8765,
+    *,
+    names: frozenset[str] | set[str] = LOCAL_NAMES,
+    max_upload: int = 24 * 2**20,
+    seconds: float = 60.0,
+    on_start: Callable[[str], None] = lambda _: None,
+) -> None:
+    """Serve the app until interrupted.
+
+    host, port : where to listen; port 0 takes any free one
+    names      : host names to answer to; `host` itself is added
+    max_upload : largest picture taken, bytes
+    seconds    : time limit for one picture
+    on_start   : told the app's address once it can be opened
+
+    Raises UsageError if the address cannot be used, MissingPackageError without the extra `ui`.
+    """
+    try:
+        import uvicorn
+
+        from sketch2shape.ui.app import create_app
+    except ImportError as error:
+        raise MissingPackageError(
+            f"the web app needs the package {error.name}", remedy="pip install 'sketch2shape[ui]'"
+        ) from error
+    if not (0 <= port < 65536 and max_upload > 0 and seconds > 0):
+        raise UsageError("port, upload size and time limit must be positive and a port below 65536")
+    listening = _listen(host, port)
+    bracketed = f"[{host}]" if ":" in host else host
+    app = create_app(names=frozenset(names) | {bracketed}, max_upload=max_upload, seconds=seconds)
+    config = uvicorn.Config(
+        app,
+        access_log=False,
+        log_level="warning",
+        server_header=False,
+        ws="none",
+        http="h11",
+        loop="asyncio",
+        lifespan="on",
+        limit_concurrency=64,
+        timeout_keep_alive=5,
+        timeout_graceful_shutdown=2,
+    )
+    address = f"http://{bracketed}:{listening.getsockname()[1]}/"
+    on_start(address)
+    uvicorn.Server(config).run(sockets=[listening])
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    """A socket that listens on the address. Raises UsageError."""
+    try:
+        family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        listening = socket.socket(family, kind)
+        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listening.bind(address)
+        listening.listen(64)
+    except OSError as error:
+        raise UsageError(
+            f"cannot listen on {host} port {port} ({error.strerror or error})", remedy="another --port, or --port 0"
+        ) from error
+    return listening
+
+
+def _announce(address: str) -> None:
+    sys.stdout.write(f"sketch2shape is at {address}  (Ctrl-C stops it)\n")
+    sys.stdout.flush()
+
+
+def _announce_and_open(address: str) -> None:
+    _announce(address)
+    threading.Timer(0.7, webbrowser.open, [address]).start()

@@ -1,0 +1,87 @@
+"""Work in processes of its own, so that no picture can stop, slow or swell the app."""
+
+from __future__ import annotations
+
+import asyncio
+import multiprocessing
+from collections.abc import Callable
+from typing import Any, Protocol, TypeVar
+
+from sketch2shape.errors import LimitError, Sketch2ShapeError
+
+T = TypeVar("T")
+
+
+class BusyError(Sketch2ShapeError):
+    """More work is waiting than the app takes on."""
+
+    exit_code = 6
+    remedy = "waiting a moment and trying again"
+
+
+class Workers(Protocol):
+    """Runs functions for the app."""
+
+    async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
+        """The function's result; its errors are raised here. Raises LimitError after `seconds`, BusyError."""
+
+    def close(self) -> None:
+        """Stop, without waiting for work in hand."""
+
+
+class WorkerPool:
+    """Worker processes that are replaced when they fail."""
+
+    def __init__(self, workers: int = 2, *, most_waiting: int = 16, memory: int = 4 * 2**30) -> None:
+        """Start lazily `workers` processes of at most `memory` bytes each; refuse work beyond `most_waiting` tasks."""
+        from pebble import ProcessPool
+
+        self._pool = ProcessPool(
+            max_workers=workers,
+            max_tasks=500,  # a fresh process now and then, whatever a library may leak
+            initializer=_prepare,
+            initargs=[memory],
+            context=multiprocessing.get_context("spawn"),
+        )
+        self._most, self._count = most_waiting, 0
+
+    async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
+        """See Workers."""
+        from pebble import ProcessExpired
+
+        if self._count >= self._most:
+            raise BusyError("too much work is waiting")
+        self._count += 1
+        try:
+            future = self._pool.schedule(function, args=list(arguments), timeout=seconds)
+            result: T = await asyncio.wrap_future(future)
+            return result
+        except TimeoutError as error:
+            raise LimitError(
+                f"it took longer than {seconds:g} seconds", remedy="a smaller or simpler picture"
+            ) from error
+        except (ProcessExpired, MemoryError) as error:
+            raise LimitError("the work needed too much memory or failed", remedy="a smaller picture") from error
+        finally:
+            self._count -= 1
+
+    def close(self) -> None:
+        """See Workers."""
+        self._pool.stop()  # type: ignore[no-untyped-call]
+        self._pool.join()
+
+
+def _prepare(memory: int) -> None:
+    """In a new worker: limit its memory where the system can, leave Ctrl-C to the app, load what all work needs."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    except (ImportError, ValueError, OSError):  # no such limit on this system
+        pass
+    import sketch2shape.ui.jobs as jobs
+
+    jobs.warm_up()
