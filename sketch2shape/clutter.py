@@ -155,7 +155,7 @@ def _ahead(parts: Parts, pen_width: float, sign: float) -> Bools:
     across = np.abs(offset[..., 1] * parts.axis[:, None, 0] - offset[..., 0] * parts.axis[:, None, 1])
     gap = along - 0.5 * (parts.length[:, None] + parts.length[None, :])
     reach = np.maximum(2.5 * parts.length, 5.0 * pen_width)[:, None]
-    sway = 0.7 * pen_width + 0.5 + 0.08 * along + np.where(parts.is_dash, 0.0, 0.4 * parts.width)[None, :]
+    sway = 0.7 * pen_width + 0.5 + 0.12 * along + np.where(parts.is_dash, 0.0, 0.5 * parts.length)[None, :]
     similar = parts.is_dash[None, :] <= (parts.width[None, :] < 2.5 * parts.width[:, None] + pen_width)
     near = (along > 0) & (gap > -0.6 * parts.length[None, :]) & (gap < reach) & (across < sway)
     return np.asarray(near & similar, dtype=np.bool_)
@@ -164,7 +164,7 @@ def _ahead(parts: Parts, pen_width: float, sign: float) -> Bools:
 def _reaches(parts: Parts, near_large: Bools, pen_width: float, sign: float) -> Bools:
     """(n,) a large component lies straight ahead on one side, at most about a length away."""
     steps = np.linspace(0.0, 1.0, 16)
-    reach = np.maximum(1.2 * parts.length, 3.0 * pen_width)[:, None]
+    reach = np.maximum(1.6 * parts.length, 4.0 * pen_width)[:, None]
     distance = 0.5 * parts.length[:, None] + 1.0 + steps[None, :] * reach
     points = parts.centre[:, None, :] + sign * distance[..., None] * parts.axis[:, None, :]
     return np.asarray(_hit(near_large, points).any(axis=1), dtype=np.bool_)

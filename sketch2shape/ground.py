@@ -128,7 +128,7 @@ def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
     if even and min(dark, light) < 0.003 * max(dark, light):
         return bool(light > dark)
     half = cv2.resize(gray, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
-    box = cv2.getStructuringElement(cv2.MORPH_RECT, (9, 9))
+    box = cv2.getStructuringElement(cv2.MORPH_RECT, (5, 5))
     light_thin, dark_thin = (
         cv2.norm(cv2.morphologyEx(half, hat, box), cv2.NORM_L2SQR) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT)
     )

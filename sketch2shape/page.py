@@ -38,7 +38,7 @@ def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
     surface = _surface(_u8(cv2.resize(paper, size, interpolation=cv2.INTER_AREA)), mask)
     if surface is None:
         return None, None
-    inside = cv2.erode(surface, np.ones((7, 7), np.uint8), borderType=cv2.BORDER_REPLICATE)
+    inside = cv2.erode(surface, np.ones((7, 7), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
     on_page = cv2.resize(inside, (w, h), interpolation=cv2.INTER_NEAREST)
     corners = _quadrilateral(surface)
     if corners is not None:

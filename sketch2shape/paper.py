@@ -17,6 +17,8 @@ Gray = NDArray[np.uint8]
 
 TILES = 10
 """The picture is cut into TILES x TILES to see what marks are everywhere."""
+PALE = 100.0
+"""Contrast below which a picture that is evenly covered is empty paper."""
 PARTS = 4
 """A mark must be in at least three of the PARTS x PARTS parts of a tile."""
 
@@ -45,9 +47,11 @@ def _median(values: Gray) -> float:
     counts = np.cumsum(cv2.calcHist([values], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
     half = 0.5 * float(counts[-1])
     level = int(np.searchsorted(counts, half))
-    below = float(counts[level - 1]) if level else 0.0
+    if level == 0:
+        return 0.0
+    below = float(counts[level - 1])
     share = (half - below) / max(float(counts[level]) - below, 1.0)
-    return max(0.0, level - 0.5 + float(share))
+    return level - 0.5 + float(share)
 
 
 def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
@@ -55,7 +59,7 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
 
     contrast : (h, w) uint8, see `Ground`
     on_page  : (h, w) where to look, all over if None
-    returns  : 0 where the emptiest tiles hold nothing, or as much as the others do (thick strokes all over)
+    returns  : 0 where the emptiest tiles hold nothing, or as much as the others do and no pale marks (thick strokes)
     """
     h, w = contrast.shape
     if min(h, w) < 8 * TILES:
@@ -69,7 +73,7 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
             return 0.0
     low, high = np.percentile(tallest, (12, 95))
     if low > 0.6 * high:
-        return 0.0
+        return 1.2 * float(high) if high < PALE else 0.0
     paper = tallest[tallest < 1.6 * low + 4]
     return 1.2 * float(np.percentile(paper, 95))
 

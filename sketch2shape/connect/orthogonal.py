@@ -1,0 +1,144 @@
+"""Connect-the-dots for rectilinear polygons, and the same in any parallel view.
+
+J. O'Rourke, "Uniqueness of orthogonal connect-the-dots", in G. T. Toussaint (ed.), Computational Morphology, 1988: if
+every turn is a right angle, the vertices on a vertical line pair up 1-2, 3-4, ... from its end, the same on every
+horizontal line, and those pairs are the edges. So the polygon is unique if it exists. A parallel view only replaces
+the two directions by two others.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+
+from sketch2shape.connect.connection import Walk
+from sketch2shape.connect.geometry import canonical, ring_is_simple, size_of
+from sketch2shape.errors import PointsError, UsageError
+from sketch2shape.model import Floats, Ints
+
+#: points within this part of the size of a common line are on it
+TOLERANCE = 0.02
+#: directions are taken from so many points to all others; each point has an edge in both directions, more help
+#: under noise
+ANCHORS = 4
+
+
+@dataclass(frozen=True)
+class Pairing:
+    """The points in pairs along one direction.
+
+    partner : (n,) the point each point is paired with
+    spread  : rms distance of the points from their common lines
+    """
+
+    partner: Ints
+    spread: float
+
+
+def orthogonal(points: Floats, *, tolerance: float = TOLERANCE, directions: Literal["axes", "any"] = "any") -> Walk:
+    """Pair the points along two directions; the pairs are the edges. O(n log n) for each direction, O(n) directions.
+
+    tolerance  : how far from a common line a point may be, as a part of the size of the points, 0 <= tolerance < 0.5
+    directions : "axes" for horizontal and vertical only (O'Rourke), "any" to look for two directions (the affine form)
+    Raises PointsError if there is no such polygon, UsageError for other options. Of several
+    solutions the one of least residual is given, the others are `alternatives`.
+    """
+    if directions not in ("axes", "any") or not 0 <= tolerance < 0.5:
+        raise UsageError(
+            f"expected directions 'axes' or 'any' and 0 <= tolerance < 0.5, got {directions!r} and {tolerance!r}"
+        )
+    solutions: dict[tuple[int, ...], float] = {}
+    for chosen in _direction_sets(points, directions):
+        for spread, order in solve(points, pairings(points, chosen, tolerance)):
+            key = canonical(order)
+            solutions[key] = min(spread, solutions.get(key, np.inf))
+        if solutions:
+            break
+    if not solutions:
+        where = "the axes" if directions == "axes" else "two directions"
+        raise PointsError(
+            f"expected points that pair up into one simple ring along {where}, got {len(points)} points that do not",
+            remedy="method='auto', or a larger tolerance",
+        )
+    ranked = sorted(solutions, key=lambda key: solutions[key])
+    orders = [np.array(key, dtype=np.intp) for key in ranked]
+    return Walk(
+        orders[0],
+        met=("the points pair up along two directions",),
+        alternatives=tuple(orders[1:]),
+        parameters={"tolerance": tolerance, "directions": directions},
+    )
+
+
+def _direction_sets(points: Floats, directions: str) -> list[Floats]:
+    axes = np.eye(2)
+    return [axes] if directions == "axes" else [axes, candidate_directions(points)]
+
+
+def candidate_directions(points: Floats, anchors: int = ANCHORS) -> Floats:
+    """(m, 2) unit vectors from a few points to all others, opposite ones once."""
+    spread = np.unique(np.linspace(0, len(points) - 1, anchors).astype(int))
+    vectors = np.concatenate([np.delete(points, i, axis=0) - points[i] for i in spread])
+    vectors /= np.hypot(vectors[:, 0], vectors[:, 1])[:, None]
+    vectors[vectors[:, 0] < 0] *= -1
+    return np.unique(vectors.round(9), axis=0)
+
+
+def pairings(points: Floats, directions: Floats, tolerance: float) -> list[Pairing]:
+    """All pairings of the points along the directions (m, 2) in which every line holds an even number of points."""
+    n = len(points)
+    if n % 2 or n < 4:
+        return []
+    centred = points - points.mean(axis=0)
+    along = directions @ centred.T
+    across = np.c_[-directions[:, 1], directions[:, 0]] @ centred.T
+    ranked = np.argsort(across, axis=1, kind="stable")
+    offsets = np.take_along_axis(across, ranked, axis=1)
+    breaks = np.diff(offsets, axis=1) > tolerance * size_of(points)
+    line = np.concatenate((np.zeros((len(directions), 1), dtype=np.intp), np.cumsum(breaks, axis=1)), axis=1)
+    # a line that ends after an odd number of points leaves a break at an odd position
+    even = ~breaks[:, ::2].any(axis=1)
+    found: dict[bytes, Pairing] = {}
+    for k in np.flatnonzero(even).tolist():
+        where = ranked[k][np.lexsort((along[k][ranked[k]], line[k]))]
+        pairs = where.reshape(-1, 2)
+        partner = np.empty(n, dtype=np.intp)
+        partner[pairs[:, 0]], partner[pairs[:, 1]] = pairs[:, 1], pairs[:, 0]
+        spread = _spread(offsets[k], line[k])
+        key = partner.tobytes()
+        if key not in found or spread < found[key].spread:
+            found[key] = Pairing(partner, spread)
+    return sorted(found.values(), key=lambda pairing: pairing.spread)
+
+
+def _spread(offsets: Floats, line: Ints) -> float:
+    sizes = np.bincount(line)
+    means = np.bincount(line, weights=offsets) / sizes
+    return float(np.sqrt(((offsets - means[line]) ** 2).mean()))
+
+
+def solve(points: Floats, found: list[Pairing]) -> list[tuple[float, Ints]]:
+    """(spread, order) of every two pairings whose union is one simple ring."""
+    answers = []
+    for first, second in combinations(found, 2):
+        order = _one_ring(first.partner, second.partner)
+        if order is not None and ring_is_simple(points[order]):
+            answers.append((float(np.hypot(first.spread, second.spread)), order))
+    return answers
+
+
+def _one_ring(first: Ints, second: Ints) -> Ints | None:
+    """The ring that alternates between two pairings, or None if it misses points."""
+    a, b = first.tolist(), second.tolist()
+    ring = [0]
+    while True:
+        ring.append(a[ring[-1]])
+        following = b[ring[-1]]
+        if following == 0:
+            return np.array(ring, dtype=np.intp) if len(ring) == len(a) else None
+        if len(ring) >= len(a):
+            return None
+        ring.append(following)

@@ -1,0 +1,165 @@
+"""Rings of least energy, where the energy is a sum over edges and over pairs of edges.
+
+Strategy: up to eight points every ring is looked at. Above that, several rings are improved side by side by the best
+exchange of two edges (2-opt) or move of one to three points (or-opt). An exchange changes two or three edges only, so
+its gain follows from the field r = W x of the ring: no ring is summed anew.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import permutations
+
+import numpy as np
+
+from sketch2shape.model import Floats, Ints
+
+#: up to so many points all (n - 1)! / 2 rings are looked at
+EXHAUSTIVE = 8
+#: exchanges one ring may go through
+ROUNDS = 60
+
+
+@dataclass(frozen=True)
+class Energy:
+    """Energy of rings through n points.
+
+    edge : (m,) energy of each of the m = n (n - 1) / 2 edges
+    pair : (m, m) energy of each pair, symmetric, 0 on the diagonal
+    at   : (n, n) index of the edge between two points
+    """
+
+    edge: Floats
+    pair: Floats
+    at: Ints
+
+    def of(self, orders: Ints) -> Floats:
+        """(k,) energies of rings (k, n)."""
+        used = self.at[orders, np.roll(orders, -1, axis=1)]
+        pairs = self.pair[used[:, :, None], used[:, None, :]].sum(axis=(1, 2))
+        return np.asarray(self.edge[used].sum(axis=1) + 0.5 * pairs)
+
+
+def edge_index(n: int) -> tuple[Ints, Ints]:
+    """(m, 2) ends of all edges between n points, and (n, n) the index of each (the diagonal is 0 and not used)."""
+    ends = np.column_stack(np.triu_indices(n, 1))
+    at = np.zeros((n, n), dtype=np.intp)
+    at[ends[:, 0], ends[:, 1]] = at[ends[:, 1], ends[:, 0]] = np.arange(len(ends))
+    return ends, at
+
+
+@lru_cache(maxsize=8)
+def all_rings(n: int) -> Ints:
+    """((n - 1)! / 2, n) every ring through n points once."""
+    rest = np.array(list(permutations(range(1, n))), dtype=np.intp).reshape(-1, n - 1)
+    rest = rest[rest[:, 0] < rest[:, -1]]
+    return np.column_stack((np.zeros(len(rest), dtype=np.intp), rest))
+
+
+@dataclass(frozen=True)
+class Moves:
+    """Exchanges of k edges of a ring of n, by position.
+
+    removed, added : (M, k, 2) positions of the ends of the edges that go and come
+    order          : (M, n) positions in their new order
+    """
+
+    removed: Ints
+    added: Ints
+    order: Ints
+
+
+@lru_cache(maxsize=32)
+def reversals(n: int) -> Moves:
+    """2-opt: every way to reverse a stretch."""
+    i, j = np.triu_indices(n, 2)
+    keep = ~((i == 0) & (j == n - 1))
+    i, j = i[keep], j[keep]
+    p = np.broadcast_to(np.arange(n), (len(i), n))
+    inside = (p > i[:, None]) & (p <= j[:, None])
+    order = np.where(inside, (i + 1 + j)[:, None] - p, p)
+    k = (j + 1) % n
+    removed = np.stack((np.stack((i, i + 1), 1), np.stack((j, k), 1)), 1)
+    added = np.stack((np.stack((i, j), 1), np.stack((i + 1, k), 1)), 1)
+    return Moves(removed, added, order)
+
+
+@lru_cache(maxsize=32)
+def relocations(n: int) -> Moves:
+    """Or-opt: every way to move a stretch of one to three points, either way round, to another edge."""
+    removed, added, orders = [], [], []
+    for start in range(n):
+        ring = [(start + p) % n for p in range(n)]
+        for length in range(1, min(4, n - 2)):
+            piece, rest = ring[:length], ring[length:]
+            for gap in range(len(rest) - 1):
+                u, v = rest[gap], rest[gap + 1]
+                for part in (piece, piece[::-1]) if length > 1 else (piece,):
+                    removed.append(((rest[-1], piece[0]), (piece[-1], rest[0]), (u, v)))
+                    added.append(((rest[-1], rest[0]), (u, part[0]), (part[-1], v)))
+                    orders.append(rest[: gap + 1] + part + rest[gap + 1 :])
+    return Moves(np.array(removed, dtype=np.intp), np.array(added, dtype=np.intp), np.array(orders, dtype=np.intp))
+
+
+def gains(energy: Energy, orders: Ints, moves: Moves) -> Floats:
+    """(k, M) change of energy of each ring (k, n) by each move; negative is better."""
+    used = energy.at[orders, np.roll(orders, -1, axis=1)]
+    field = energy.edge + energy.pair[used].sum(axis=1)
+    out = energy.at[orders[:, moves.removed[..., 0]], orders[:, moves.removed[..., 1]]]
+    new = energy.at[orders[:, moves.added[..., 0]], orders[:, moves.added[..., 1]]]
+    k = out.shape[-1]
+    rows = np.arange(len(orders))[:, None]
+    change = np.zeros(out.shape[:2])
+    for p in range(k):
+        change += field[rows, new[..., p]] - field[rows, out[..., p]]
+        for q in range(k):
+            change -= energy.pair[new[..., p], out[..., q]]
+            if q > p:
+                change += energy.pair[new[..., p], new[..., q]] + energy.pair[out[..., p], out[..., q]]
+    return change
+
+
+def improve(energy: Energy, orders: Ints) -> Ints:
+    """Improve rings (k, n), the best move first, until no move helps; equal rings are merged on the way."""
+    n = orders.shape[1]
+    kinds = (reversals(n), relocations(n))
+    active, done = orders, []
+    for _ in range(ROUNDS):
+        best = np.full(len(active), -1e-9)
+        following = active.copy()
+        for moves in kinds:
+            change = gains(energy, active, moves)
+            at = change.argmin(axis=1)
+            value = change[np.arange(len(active)), at]
+            better = value < best
+            following[better] = np.take_along_axis(active[better], moves.order[at[better]], axis=1)
+            best = np.minimum(best, value)
+        moved = best < -1e-9
+        done.append(active[~moved])
+        active = _distinct(following[moved])
+        if len(active) == 0:
+            break
+    return _distinct(np.concatenate([*done, active]))
+
+
+def neighbours(order: Ints) -> Ints:
+    """All rings one move from a ring."""
+    n = len(order)
+    return np.concatenate([order[moves.order] for moves in (reversals(n), relocations(n))])
+
+
+def _distinct(orders: Ints) -> Ints:
+    """The rings in canonical form, each once."""
+    if len(orders) == 0:
+        return orders
+    return np.unique(canonical_rows(orders), axis=0)
+
+
+def canonical_rows(orders: Ints) -> Ints:
+    """Each ring (k, n) started at 0 and run towards the smaller neighbour."""
+    n = orders.shape[1]
+    start = (orders == 0).argmax(axis=1)[:, None]
+    forward = np.take_along_axis(orders, (start + np.arange(n)) % n, axis=1)
+    backward = np.take_along_axis(orders, (start - np.arange(n)) % n, axis=1)
+    return np.where((forward[:, 1] < forward[:, -1])[:, None], forward, backward)
