@@ -54,11 +54,13 @@ def in_turn(calls: Mapping[str, Call], rounds: int) -> dict[str, float]:
     return {name: float(np.median(s)) for name, s in seconds.items()}
 
 
-def command(*words: str) -> Call:
-    """A call that runs a command with the current interpreter's environment; what it prints is dropped."""
+def command(*words: str, codes: Sequence[int] = (0,)) -> Call:
+    """A call that runs a command and raises unless it ends with one of the exit codes; a failure is no figure."""
 
     def call() -> None:
-        subprocess.run(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        done = subprocess.run(words, capture_output=True, text=True, check=False)
+        if done.returncode not in codes:
+            raise RuntimeError(f"{words} ended with {done.returncode}: {done.stderr[-500:]}")
 
     return call
 
@@ -68,9 +70,9 @@ def python(code: str) -> Call:
     return command(sys.executable, "-c", code)
 
 
-def tool(*words: str) -> Call:
+def tool(*words: str, codes: Sequence[int] = (0,)) -> Call:
     """A call that runs `sketch2shape` as installed beside the interpreter."""
-    return command(str(Path(sys.executable).parent / "sketch2shape"), *words)
+    return command(str(Path(sys.executable).parent / "sketch2shape"), *words, codes=codes)
 
 
 def exponent(x: Sequence[float], y: Sequence[float]) -> float:
