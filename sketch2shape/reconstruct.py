@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from sketch2shape.errors import NoObjectError
 from sketch2shape.model import FacePair, Ink, TwoFaceObject
+from sketch2shape.ordering import check_connector, connector_of
 from sketch2shape.result import Result
 from sketch2shape.search import Found, find_all
 
@@ -24,6 +25,7 @@ REFUSE_BELOW = 0.5
 def reconstruct(
     source: Any,
     *,
+    connector: str = "auto",
     limits: Limits | None = None,
     lift: LiftOptions | None = None,
     corrections: Corrections | None = None,
@@ -31,11 +33,13 @@ def reconstruct(
     """The solid shown in a drawing.
 
     source      : path, bytes, PIL image, array (gray, RGB, RGBA) or `Picture`
+    connector   : orders the vertices of each face where the ink agrees: "auto", a method of `connect`, or "ink"
     limits      : what is refused before decoding
     lift        : how to read the third dimension
     corrections : what a person put right by hand; complete ones replace the reading
 
-    Raises UnreadableError, LimitError, or NoObjectError if no two-face object is found with enough confidence.
+    Raises UsageError for an unknown connector, UnreadableError, LimitError, or NoObjectError if no two-face object is
+    found with enough confidence.
     """
     from sketch2shape.corrections import corrected, lift_options
     from sketch2shape.ink import find_ink
@@ -43,6 +47,7 @@ def reconstruct(
     from sketch2shape.lift import lift as lift_object
     from sketch2shape.read import read_picture
 
+    check_connector(connector)
     timings: dict[str, float] = {}
     options = lift or LiftOptions()
     with _timed(timings, "read"):
@@ -52,7 +57,7 @@ def reconstruct(
     with _timed(timings, "ink"):
         ink = find_ink(picture)
     with _timed(timings, "faces"):
-        objects = tuple(_as_object(f, ink) for f in find_all(ink))
+        objects = tuple(_as_object(f, ink, connector) for f in find_all(ink))
     sure = tuple(choose_front(o) for o in objects if o.confidence >= REFUSE_BELOW)
     if not sure:
         raise NoObjectError(_why_not(objects, ink))
@@ -72,7 +77,7 @@ def _timed(timings: dict[str, float], stage: str) -> Iterator[None]:
     timings[stage] = (time.perf_counter() - begin) * 1000
 
 
-def _as_object(found: Found, ink: Ink) -> TwoFaceObject:
+def _as_object(found: Found, ink: Ink, connector: str) -> TwoFaceObject:
     """In picture pixels; the centre of a working pixel is the centre of the picture pixels it stands for."""
     pairs = [
         FacePair((a + 0.5) / ink.scale - 0.5, (b + 0.5) / ink.scale - 0.5)
@@ -85,6 +90,7 @@ def _as_object(found: Found, ink: Ink) -> TwoFaceObject:
         confidence=found.confidence,
         lines=found.evidence.lines,
         f2_drawn=found.evidence.drawn,
+        connectors=(connector_of(pairs[0].f1, connector), connector_of(pairs[0].f2, connector)),
         noise=found.noise / ink.scale,
         page=ink.page,
     )
