@@ -61,7 +61,8 @@ def draw_object(canvas: Canvas, obj: TwoFaceObject, unit: float = 1.0, parts: st
 def pale(pixels: Pixels, part: float = 0.45) -> Pixels:
     """The picture, mixed with white so that coloured lines stand out; dark pictures are turned negative first."""
     if float(pixels.mean()) < 110:
-        pixels = 255 - pixels
+        gray = cv2.cvtColor(pixels, cv2.COLOR_RGB2GRAY)
+        pixels = cv2.cvtColor(255 - gray, cv2.COLOR_GRAY2RGB).astype(np.uint8)
     return cv2.addWeighted(pixels, 1 - part, np.full_like(pixels, 255), part, 0).astype(np.uint8)
 
 

@@ -8,21 +8,23 @@ from functools import lru_cache
 
 @dataclass(frozen=True)
 class Example:
-    """A drawing by its place in the generator: title for the page, category, seed and index."""
+    """A drawing by its place in the generator: title for the page, category, seed, and the profile if it is chosen."""
 
     title: str
     category: str
     seed: int
-    index: int
+    profile: str | None = None
 
 
 EXAMPLES: dict[str, Example] = {
-    "wireframe": Example("Wireframe", "clean_wire_oblique", 5, 0),
-    "isometric": Example("Isometric, hidden edges dashed", "clean_dashed_axono", 5, 1),
-    "hole": Example("With a hole", "holes_wire", 5, 0),
-    "hand": Example("Drawn by hand", "hand_wire", 5, 0),
-    "pencil": Example("Pencil, hidden edges left out", "pencil_removed", 5, 0),
-    "photo": Example("Photo of a page", "photo_wire", 5, 0),
+    "wireframe": Example("Wireframe", "clean_wire_oblique", 3),
+    "isometric": Example("Isometric, hidden edges dashed", "clean_dashed_axono", 7, "L"),
+    "perspective": Example("In perspective", "clean_wire_persp", 8),
+    "hole": Example("With a hole", "holes_dashed", 3),
+    "hand": Example("Drawn by hand", "hand_wire", 2),
+    "pencil": Example("Pencil, hidden edges left out", "pencil_removed", 6),
+    "photo": Example("Photo of a page", "photo_wire", 8),
+    "blackboard": Example("On a blackboard", "blackboard_wire", 6),
 }
 
 
@@ -33,4 +35,4 @@ def example_png(name: str) -> bytes:
     from sketch2shape.synthetic.drawing import draw
 
     example = EXAMPLES[name]
-    return encode_png(draw(example.category, example.seed, example.index).pixels[..., :3])
+    return encode_png(draw(example.category, example.seed, 0, shapes=example.profile).pixels[..., :3])

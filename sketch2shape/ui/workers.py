@@ -5,9 +5,14 @@ from __future__ import annotations
 import asyncio
 import multiprocessing
 from collections.abc import Callable
-from typing import Any, Protocol, TypeVar
+from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from sketch2shape.errors import LimitError, Sketch2ShapeError
+
+if TYPE_CHECKING:
+    from pebble import ProcessPool
 
 T = TypeVar("T")
 
@@ -34,16 +39,19 @@ class WorkerPool:
 
     def __init__(self, workers: int = 2, *, most_waiting: int = 16, memory: int = 4 * 2**30) -> None:
         """Start lazily `workers` processes of at most `memory` bytes each; refuse work beyond `most_waiting` tasks."""
+        self._workers, self._memory, self._most, self._count = workers, memory, most_waiting, 0
+        self._pool = self._start()
+
+    def _start(self) -> ProcessPool:
         from pebble import ProcessPool
 
-        self._pool = ProcessPool(
-            max_workers=workers,
+        return ProcessPool(
+            max_workers=self._workers,
             max_tasks=500,  # a fresh process now and then, whatever a library may leak
             initializer=_prepare,
-            initargs=[memory],
+            initargs=[self._memory],
             context=multiprocessing.get_context("spawn"),
         )
-        self._most, self._count = most_waiting, 0
 
     async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
         """See Workers."""
@@ -53,17 +61,25 @@ class WorkerPool:
             raise BusyError("too much work is waiting")
         self._count += 1
         try:
-            future = self._pool.schedule(function, args=list(arguments), timeout=seconds)
+            future = self._schedule(function, arguments, seconds)
             result: T = await asyncio.wrap_future(future)
             return result
         except TimeoutError as error:
             raise LimitError(
                 f"it took longer than {seconds:g} seconds", remedy="a smaller or simpler picture"
             ) from error
-        except (ProcessExpired, MemoryError) as error:
+        except (ProcessExpired, BrokenProcessPool, MemoryError) as error:
             raise LimitError("the work needed too much memory or failed", remedy="a smaller picture") from error
         finally:
             self._count -= 1
+
+    def _schedule(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float) -> Future[Any]:
+        """Hand a task to the pool; a pool that broke down as a whole is replaced first."""
+        try:
+            return self._pool.schedule(function, args=list(arguments), timeout=seconds)
+        except RuntimeError:
+            self._pool = self._start()
+            return self._pool.schedule(function, args=list(arguments), timeout=seconds)
 
     def close(self) -> None:
         """See Workers."""

@@ -1,0 +1,138 @@
+import base64
+import io
+from typing import Any
+
+import pytest
+import trimesh
+from starlette.testclient import TestClient
+
+from sketch2shape.ui.examples import EXAMPLES
+
+PNG = {"Content-Type": "image/png"}
+
+
+def test_the_page_and_its_parts_are_served(app: TestClient) -> None:
+    page = app.get("/").text
+    for part in ("/style.css", "/icon.svg", "/viewer.js", "/app.js"):
+        assert part in page
+        assert app.get(part).status_code == 200
+    for module in ("editor", "history", "server", "shape", "sketchpad"):
+        assert f"./{module}.js" in app.get("/app.js").text
+        assert app.get(f"/{module}.js").headers["content-type"].startswith("text/javascript")
+
+
+def test_nothing_is_loaded_from_elsewhere(app: TestClient) -> None:
+    for part in ("/", "/style.css", "/viewer.js", "/app.js", "/editor.js", "/server.js", "/shape.js", "/sketchpad.js"):
+        text = app.get(part).text.replace("http://www.w3.org/2000/svg", "")
+        assert "http:" not in text
+        assert "https:" not in text
+    policy = app.get("/").headers["content-security-policy"]
+    assert "default-src 'none'" in policy
+    assert "unsafe" not in policy
+
+
+def test_a_drawing_becomes_objects_a_solid_and_stages(app: TestClient, box_png: bytes) -> None:
+    found = app.post("/api/reconstruct", content=box_png, headers={**PNG, "X-Name": "my%20box.png"}).json()
+    assert (found["name"], found["width"], found["height"]) == ("my box.png", 500, 440)
+    assert found["problem"] is None
+    assert len(found["objects"][0]["f1"]) == 4
+    assert len(found["solid"]["vertices"]) == 8
+    assert [s["title"] for s in found["stages"]][-1] == "Solid"
+    assert found["picture"].startswith("data:image/")
+
+
+def test_a_picture_without_an_object_says_why_and_is_shown(app: TestClient) -> None:
+    import cv2
+    import numpy as np
+
+    blank = cv2.imencode(".png", np.full((60, 80, 3), 255, np.uint8))[1].tobytes()
+    found = app.post("/api/reconstruct", content=blank, headers=PNG).json()
+    assert found["objects"] == []
+    assert "blank" in found["problem"]["error"]
+    assert found["picture"]
+
+
+def test_corrections_are_lifted(app: TestClient, corrections: dict[str, Any]) -> None:
+    found = app.post("/api/lift", json=corrections).json()
+    fact = found["facts"][0]
+    assert fact["unit"] == "mm"
+    assert fact["size"][0] == pytest.approx(40)
+    assert fact["projection"] == "oblique"
+
+
+def test_moving_a_vertex_changes_the_volume(app: TestClient, corrections: dict[str, Any]) -> None:
+    del corrections["objects"][0]["width"]
+    before = app.post("/api/lift", json=corrections).json()["facts"][0]["volume"]
+    entry = corrections["objects"][0]
+    entry["f1"], entry["f2"] = [[*p] for p in entry["f1"]], [[*p] for p in entry["f2"]]
+    entry["f1"][0][1] -= 40
+    entry["f2"][0][1] -= 40
+    after = app.post("/api/lift", json=corrections).json()["facts"][0]["volume"]
+    assert after > before * 1.05
+
+
+@pytest.mark.parametrize("form", ["stl", "obj", "ply", "glb", "off"])
+def test_each_format_is_a_watertight_mesh(app: TestClient, corrections: dict[str, Any], form: str) -> None:
+    answer = app.post(f"/api/export/{form}", json=corrections)
+    mesh = trimesh.load(io.BytesIO(answer.content), file_type=form, force="mesh")
+    mesh.merge_vertices(merge_norm=True, merge_tex=True)
+    assert mesh.is_watertight
+    assert mesh.volume > 0
+
+
+def test_3mf_is_served(app: TestClient, corrections: dict[str, Any]) -> None:
+    assert app.post("/api/export/3mf", json=corrections).content.startswith(b"PK")
+
+
+def test_loose_vertices_are_ordered_and_paired(app: TestClient) -> None:
+    front = [[0, 0], [100, 80], [100, 0], [0, 80]]
+    back = [[130, -20], [30, 60], [30, -20], [130, 60]]
+    found = app.post("/api/connect", json={"front": front, "back": back}).json()
+    assert [[b - a for a, b in zip(p, q, strict=True)] for p, q in zip(found["f1"], found["f2"], strict=True)] == [
+        [30, -20]
+    ] * 4
+    sides = [abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in zip(found["f1"], found["f1"][1:], strict=False)]
+    assert sorted(sides)[-1] <= 100  # no diagonal
+
+
+def test_stages_are_drawn_again_for_corrections(app: TestClient, box_png: bytes, corrections: dict[str, Any]) -> None:
+    body = {"picture": base64.b64encode(box_png).decode(), "corrections": corrections}
+    stages = app.post("/api/stages", json=body).json()["stages"]
+    assert len(stages) == 8
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "options", "status"),
+    [
+        ("POST", "/api/reconstruct", {"content": b"no picture", "headers": PNG}, 415),
+        ("POST", "/api/reconstruct", {"content": b"", "headers": PNG}, 415),
+        ("POST", "/api/reconstruct", {"content": b"x" * (2**20 + 1), "headers": PNG}, 413),
+        ("POST", "/api/reconstruct", {"files": {"file": b"x"}}, 415),
+        ("POST", "/api/reconstruct", {"data": {"path": "/etc/passwd"}}, 415),
+        ("POST", "/api/lift", {"content": b"{", "headers": {"Content-Type": "application/json"}}, 400),
+        ("POST", "/api/lift", {"json": []}, 400),
+        ("POST", "/api/lift", {"json": {}}, 400),
+        ("POST", "/api/lift", {"content": b"[" * 10**5, "headers": {"Content-Type": "application/json"}}, 400),
+        ("POST", "/api/export/exe", {"json": {}}, 400),
+        ("POST", "/api/connect", {"json": {"front": [[0, 0]], "back": "x"}}, 400),
+        ("POST", "/api/stages", {"json": {"picture": "%%%"}}, 400),
+        ("GET", "/api/lift", {}, 405),
+        ("GET", "/api/nothing", {}, 404),
+        ("GET", "/examples/..%2f..%2fpyproject.png", {}, 404),
+        ("GET", "/page/app.js", {}, 404),
+        ("DELETE", "/", {}, 405),
+    ],
+)
+def test_what_cannot_be_done_is_refused_in_words(
+    app: TestClient, method: str, path: str, options: dict[str, Any], status: int
+) -> None:
+    answer = app.request(method, path, **options)
+    assert answer.status_code == status
+    assert answer.json()["error"]
+    assert "Traceback" not in answer.text
+
+
+def test_examples_are_listed_and_served(app: TestClient) -> None:
+    listed = app.get("/examples").json()["examples"]
+    assert [e["name"] for e in listed] == list(EXAMPLES)
+    assert app.get("/examples/wireframe.png").content.startswith(b"\x89PNG")

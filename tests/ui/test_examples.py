@@ -1,0 +1,18 @@
+import pytest
+
+from sketch2shape import reconstruct
+from sketch2shape.ui.examples import EXAMPLES, example_png
+
+
+@pytest.mark.parametrize("name", list(EXAMPLES))
+def test_each_example_becomes_a_solid(name: str) -> None:
+    result = reconstruct(example_png(name))
+    assert len(result.objects) == 1
+    assert result.objects[0].confidence >= 0.9
+    assert result.mesh.is_watertight
+    assert len(result.objects[0].holes) == (name == "hole")
+
+
+def test_no_other_name_is_an_example() -> None:
+    with pytest.raises(KeyError):
+        example_png("../secret")
