@@ -44,7 +44,7 @@ class _Edges:
 
 
 def beautified(shape: Shape, noise: float) -> Shape:
-    """The shape with its face made regular, moved by no more than the noise (standard deviation of a vertex, pixels)."""
+    """The shape with its face made regular; noise is the standard deviation of a drawn vertex, pixels."""
     to_drawing = np.linalg.inv(shape.map)
     reach = _REACH * noise
     for name, face in _candidates(shape, noise):

@@ -204,8 +204,10 @@ def _along_edges(relations: Relations, face: Floats, d: Floats, noise: float) ->
 def _level_odds(relations: Relations, face: Floats, noise: float) -> float:
     """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew."""
     angle, spread = bearings(relations, face[None], np.eye(2)[None], noise)
-    off = between(angle[0], np.zeros(1))
+    off: Floats = between(angle[0], np.zeros(1))
+    upright = bool((np.pi / 2 - off < 3.0 * spread[0] + np.deg2rad(1.0)).any())
     off[relations.lengths < _LONG * relations.lengths.max()] = np.pi / 2
-    exact = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), 0.88, np.pi / 2)
-    askew = log_odds(off, np.hypot(spread[0], np.deg2rad(4.0)), 0.88, np.pi / 2)
+    belief = 0.6 if len(face) == 3 and not upright else 0.88  # a triangle often stands on its tip
+    exact = log_odds(off, np.hypot(spread[0], np.deg2rad(0.5)), belief, np.pi / 2)
+    askew = log_odds(off, np.hypot(spread[0], np.deg2rad(4.0)), belief, np.pi / 2)
     return float(max(exact.max(), askew.max() - 0.7))
