@@ -179,12 +179,12 @@ def _nearest(shape: Shape, rows: list[Floats]) -> Floats:
 
 def _even_depth(shape: Shape, noise: float) -> Shape:
     """The depth made equal to an edge's length, where it nearly is: a cube is a cube."""
-    if shape.free or shape.taper != 1.0:
+    if shape.family != "axonometric" or shape.taper != 1.0:
         return shape
     lengths = np.linalg.norm(edge_vectors(shape.flat, shape.sizes), axis=1)
     off = lengths / abs(shape.depth) - 1.0
     best = int(np.abs(off).argmin())
     drawn = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2]))
-    if shape.family == "perspective" or abs(off[best]) * drawn > _NEAR * noise:
+    if abs(off[best]) * drawn > _NEAR * noise:
         return shape
     return replace(shape, depth=float(np.sign(shape.depth) * lengths[best]))

@@ -61,3 +61,17 @@ def test_no_vertex_moves_further_than_the_noise_allows(n, seed, noise):
     fine = lift(obj, options=LiftOptions(**options)).vertices
     plain = lift(obj, options=LiftOptions(**options, beautify=False)).vertices
     assert np.linalg.norm((fine - plain)[:n, :2], axis=1).max() <= 2.5 * noise + 1e-6
+
+
+def test_nearly_a_cube_becomes_one_but_an_oblique_depth_is_left_alone():
+    corners = np.array([[x, y, z] for z in (-1, 1) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], float)
+    a, e = np.deg2rad([45.0, 35.264])
+    yaw = np.array([[np.cos(a), 0, np.sin(a)], [0, 1, 0], [-np.sin(a), 0, np.cos(a)]])
+    pitch = np.array([[1, 0, 0], [0, np.cos(e), np.sin(e)], [0, -np.sin(e), np.cos(e)]])
+    view = (corners @ yaw.T @ pitch.T)[:, :2] * 70 + 300 + np.random.default_rng(1).normal(0, 0.4, (8, 2))
+    cube = lift(TwoFaceObject(view[:4], view[4:], noise=0.4))
+    assert cube.projection.family == "axonometric"
+    assert cube.dimensions == pytest.approx([cube.dimensions[0]] * 3)
+    square = np.array([[0, 0], [100, 0], [100, 100], [0, 100.0]]) + 200
+    flat = lift(TwoFaceObject(square, square + [60, -45]), options=LiftOptions(depth_ratio=0.7))
+    assert flat.dimensions[2] == pytest.approx(75 / 0.7)
