@@ -48,10 +48,9 @@ class Parts:
     area: Floats
     peak: Floats
 
-    @property
-    def is_dash(self) -> Bools:
-        """(n,) clearly longer than wide."""
-        return np.asarray(self.length > 1.5 * self.width)
+    def are_dashes(self, pen_width: float) -> Bools:
+        """(n,) clearly longer than wide, and about as wide as the pen."""
+        return np.asarray((self.length > 1.5 * self.width) & (self.width < 2.0 * pen_width + 1.5))
 
     @property
     def is_disc(self) -> Bools:
@@ -128,9 +127,9 @@ def _measure(labels: NDArray[np.int32], chosen: Ints, contrast: Gray) -> Parts:
 
 def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float, noisy: bool) -> Bools:
     """(n,) whether each small component is part of a line or too large to be a letter."""
-    dash = parts.is_dash & (parts.width < 2.0 * pen_width + 1.5)
+    dash = parts.are_dashes(pen_width)
     near_large = cv2.dilate(large.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    sides = [_ahead(parts, pen_width, sign) & dash[:, None] for sign in (-1.0, 1.0)]
+    sides = [_ahead(parts, dash, pen_width, sign) & dash[:, None] for sign in (-1.0, 1.0)]
     met = [_reaches(parts, near_large, pen_width, sign) for sign in (-1.0, 1.0)]
     ahead = sides[0] | sides[1]
     paired = (ahead & ahead.T).any(axis=1)
@@ -148,16 +147,18 @@ def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float, noisy:
     )
 
 
-def _ahead(parts: Parts, pen_width: float, sign: float) -> Bools:
+def _ahead(parts: Parts, dash: Bools, pen_width: float, sign: float) -> Bools:
     """(n, n) True where j lies straight ahead of i on one side of it, at most a few of i's lengths away."""
     offset = parts.centre[None, :, :] - parts.centre[:, None, :]
     along = sign * np.einsum("ijk,ik->ij", offset, parts.axis)
     across = np.abs(offset[..., 1] * parts.axis[:, None, 0] - offset[..., 0] * parts.axis[:, None, 1])
     gap = along - 0.5 * (parts.length[:, None] + parts.length[None, :])
     reach = np.maximum(2.5 * parts.length, 5.0 * pen_width)[:, None]
-    sway = 0.7 * pen_width + 0.5 + 0.12 * along + np.where(parts.is_dash, 0.0, 0.5 * parts.length)[None, :]
-    similar = parts.is_dash[None, :] <= (parts.width[None, :] < 2.5 * parts.width[:, None] + pen_width)
-    near = (along > 0) & (gap > -0.6 * parts.length[None, :]) & (gap < reach) & (across < sway)
+    sway = 0.7 * pen_width + 0.5 + 0.12 * along + np.where(dash, 0.0, 0.5 * parts.length)[None, :]
+    similar = dash[None, :] <= (parts.width[None, :] < 2.5 * parts.width[:, None] + pen_width)
+    alike = dash[None, :] & (np.abs(np.log(parts.length[None, :] / parts.length[:, None])) < 1.0)
+    wobbly = alike & (gap < 1.3 * parts.length[:, None]) & (across < 0.3 * along)
+    near = (along > 0) & (gap > -0.6 * parts.length[None, :]) & (gap < reach) & ((across < sway) | wobbly)
     return np.asarray(near & similar, dtype=np.bool_)
 
 
