@@ -66,7 +66,7 @@ def read_ground(pixels: Gray) -> Ground:
         strongest = np.max(np.stack(contrasts[1:]), axis=0)
         contrast = np.maximum(contrast, _u8(cv2.convertScaleAbs(strongest, alpha=COLOUR_SHARE)))
     if not even:
-        contrast = _levelled(contrast)
+        contrast = np.minimum(_levelled(contrast), _thin_contrast(planes[0]))
     noise = noise_of(contrast)
     if noise > 3.0:
         contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
@@ -92,10 +92,16 @@ def _u8(array: NDArray[np.generic]) -> Gray:
     return np.asarray(array, dtype=np.uint8)
 
 
+def _reduced(gray: Gray, factor: float) -> Gray:
+    h, w = gray.shape
+    size = (max(1, round(w * factor)), max(1, round(h * factor)))
+    return _u8(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
+
+
 def _is_even(gray: Gray, ground: int) -> bool:
     """The ground is one narrow peak (seen reduced, without noise), or very few levels hold all: flat fills."""
     factor = 0.5 if noise_of(gray) < 6.0 else 0.25
-    half = cv2.resize(gray, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+    half = _reduced(gray, factor)
     levels = cv2.calcHist([half], [0], None, [256], [0, 256]).ravel()
     fullest = np.cumsum(np.sort(levels)[::-1])
     peak = levels[max(0, ground - 6) : ground + 7].sum()
@@ -110,7 +116,9 @@ def _frame_level(gray: Gray) -> int:
     y, x = max(1, h // 20), max(1, w // 20)
     parts = (gray[:y], gray[-y:], gray[y:-y, :x], gray[y:-y, -x:])
     counts = np.bincount(np.concatenate([p.ravel() for p in parts]), minlength=256)
-    return int(np.argmax(np.convolve(counts, np.ones(5), mode="same")))
+    middle = int(np.argmax(np.convolve(counts, np.ones(5), mode="same")))
+    low = max(0, middle - 2)
+    return low + int(np.argmax(counts[low : middle + 3]))
 
 
 def _is_coloured(rgb: Gray) -> bool:
@@ -127,7 +135,7 @@ def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
         return ground < 128
     if even and min(dark, light) < 0.003 * max(dark, light):
         return bool(light > dark)
-    half = cv2.resize(gray, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+    half = _reduced(gray, 0.5)
     box = cv2.getStructuringElement(cv2.MORPH_RECT, (5, 5))
     light_thin, dark_thin = (
         cv2.norm(cv2.morphologyEx(half, hat, box), cv2.NORM_L2SQR) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT)
@@ -146,13 +154,11 @@ def _uneven_paper(plane: Gray) -> Gray:
 
     The border is continued outwards, else a strip of table along it would count as a stroke.
     """
-    h, w = plane.shape
-    half = cv2.resize(plane, (max(1, w // 2), max(1, h // 2)), interpolation=cv2.INTER_AREA)
+    half = _reduced(plane, 0.5)
     size = 2 * (max(half.shape) // 48) + 3
-    half = cv2.copyMakeBorder(half, size, size, size, size, cv2.BORDER_REPLICATE)
-    half = cv2.morphologyEx(half, cv2.MORPH_CLOSE, cv2.getStructuringElement(cv2.MORPH_RECT, (size, size)))
-    half = cv2.blur(half, (5, 5))
-    return _u8(half[size:-size, size:-size])
+    wide = cv2.copyMakeBorder(half, size, size, size, size, cv2.BORDER_REPLICATE)
+    closed = cv2.morphologyEx(wide, cv2.MORPH_CLOSE, np.ones((size, size), np.uint8))
+    return _u8(cv2.blur(closed, (5, 5))[size:-size, size:-size])
 
 
 def _contrast(plane: Gray, paper: Gray) -> Gray:
@@ -160,6 +166,13 @@ def _contrast(plane: Gray, paper: Gray) -> Gray:
     if paper.shape != plane.shape:
         paper = _u8(cv2.resize(paper, plane.shape[::-1], interpolation=cv2.INTER_LINEAR))
     return _u8(cv2.bitwise_not(_u8(cv2.divide(plane, paper, scale=255.0))))
+
+
+def _thin_contrast(plane: Gray) -> Gray:
+    """Contrast against what a small closing leaves: high on strokes, nothing beside the sharp edge of a shadow."""
+    smooth = _u8(cv2.GaussianBlur(plane, (3, 3), 0))
+    side = 2 * (max(plane.shape) // 80) + 1
+    return _contrast(smooth, _u8(cv2.morphologyEx(smooth, cv2.MORPH_CLOSE, np.ones((side, side), np.uint8))))
 
 
 def _levelled(contrast: Gray) -> Gray:

@@ -17,7 +17,7 @@ from sketch2shape.fills import without_fills
 from sketch2shape.ground import read_ground
 from sketch2shape.model import Bools, Floats, Ink, Picture
 from sketch2shape.page import find_page, page_homography
-from sketch2shape.paper import noise_of, paper_marks
+from sketch2shape.paper import noise_of, paper_marks, without_bands
 from sketch2shape.pen import pen_width_of, rough_pen_width
 
 Gray = NDArray[np.uint8]
@@ -41,7 +41,7 @@ def find_ink(picture: Picture) -> Ink:
             noise = noise_of(contrast, on_page)
         page = None if corners is None else _rectification(corners, ground.scale, picture)
     floor = max(FLOOR, 5.0 * noise, paper_marks(contrast, on_page))
-    contrast = without_fills(contrast, floor)
+    contrast = without_fills(without_bands(contrast, floor), floor)
     ringing = ringing_of(contrast)
     mask = ink_mask(contrast, floor, ringing)
     mask = without_clutter(mask, contrast, noisy=ringing > 0.0 or noise > 0.5)
@@ -79,7 +79,7 @@ def _near_peak(contrast: Gray, least: Gray, size: int, share: float) -> Bools:
 
 
 def ringing_of(contrast: Gray) -> float:
-    """Height of the JPEG ringing around strokes as a share of their contrast, at most a fifth; 0 in clean pictures."""
+    """Height of the JPEG ringing around strokes as a share of their contrast, at most 0.3; 0 in clean pictures."""
     levels = cv2.calcHist([contrast], [0], None, [256], [0, 256]).ravel()
     if levels[1:16].sum() < 0.004 * contrast.size:
         return 0.0
@@ -89,7 +89,7 @@ def ringing_of(contrast: Gray) -> float:
     if np.count_nonzero(around) < 200:
         return 0.0
     share = contrast[around] / wide_peak[around].astype(np.float32)
-    return float(min(0.2, 5.0 * np.percentile(share, 90)))
+    return float(min(0.3, 5.0 * np.percentile(share, 90)))
 
 
 def _u8(array: NDArray[np.generic]) -> Gray:

@@ -66,14 +66,17 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     empty[0] = False
     if not empty.any():
         return None
-    main = int(np.argmax(np.where(empty, area, 0.0)))
-    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
-    strip = np.bincount(rim, minlength=count) ** 2 > 5.0 * stats[:, cv2.CC_STAT_AREA]  # table along the picture's frame
+    rim = np.bincount(np.r_[labels[0], labels[-1], labels[:, 0], labels[:, -1]], minlength=count)
+    whole = empty & (rim == 0) & (area > 0.08 * paper.size) & (held > 0.5 * held[empty].sum())
+    main = int(np.argmax(np.where(whole if whole.any() else empty, area, 0.0)))
+    strip = rim**2 > 9.0 * stats[:, cv2.CC_STAT_AREA]  # table along the picture's frame
     kept = empty & ~strip & (held >= INK_SHARE * max(held[main], 1.0)) & (area > 0.02 * paper.size)
     kept[main] = True
     region = cv2.morphologyEx(kept[labels].astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))
     contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     contours = [c for c in contours if cv2.contourArea(c) > 0.02 * paper.size]
+    if len(contours) > 1:  # parted by a shadow; a page is convex
+        contours = [cv2.convexHull(np.concatenate(contours))]
     filled = np.zeros_like(paper)
     cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
     return filled if 0.1 * paper.size < np.count_nonzero(filled) < 0.97 * paper.size else None

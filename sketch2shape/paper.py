@@ -19,6 +19,8 @@ TILES = 10
 """The picture is cut into TILES x TILES to see what marks are everywhere."""
 PALE = 100.0
 """Contrast below which a picture that is evenly covered is empty paper."""
+CLEAR_STEP = 1.12
+"""Ratio of contrasts between neighbouring tiles, in order of contrast, that parts marks from ink."""
 PARTS = 4
 """A mark must be in at least three of the PARTS x PARTS parts of a tile."""
 
@@ -72,10 +74,44 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
         if len(tallest) < TILES:
             return 0.0
     low, high = np.percentile(tallest, (12, 95))
-    if low > 0.6 * high:
+    if low > 0.8 * high:
         return 1.2 * float(high) if high < PALE else 0.0
-    paper = tallest[tallest < 1.6 * low + 4]
+    paper = np.sort(tallest[tallest < 1.6 * low + 4])
+    if len(paper) < 0.92 * len(tallest):
+        return 1.2 * float(np.percentile(paper, 95))
+    steps = (paper[1:] + 1.0) / (paper[:-1] + 1.0)
+    later = np.arange(len(steps)) > 0.12 * len(tallest)
+    widest = int(np.argmax(np.where(later, steps, 0.0))) if later.any() else 0
+    if later.any() and steps[widest] > CLEAR_STEP and low > 20.0:  # ink hardly stronger than the marks
+        return float(np.sqrt(paper[widest] * paper[widest + 1]))
     return 1.2 * float(np.percentile(paper, 95))
+
+
+def without_bands(contrast: Gray, floor: float) -> Gray:
+    """Without solid bands along the frame: the black edge of a scan, the bars of a window.
+
+    contrast : (h, w) uint8, see `Ground`
+    floor    : contrast below which nothing is ink
+    returns  : (h, w); `contrast` itself where there are none
+    """
+    solid = contrast > floor
+    least = max(8, max(contrast.shape) // 100)
+    rows, columns = solid.mean(axis=1) > 0.93, solid.mean(axis=0) > 0.93
+    top, bottom, left, right = (_leading(v) for v in (rows, rows[::-1], columns, columns[::-1]))
+    if max(top, bottom, left, right) < least:
+        return contrast
+    h, w = contrast.shape
+    inner = np.zeros_like(contrast)
+    t, b, x, y = (n + 3 if n >= least else 0 for n in (top, bottom, left, right))
+    inner[t : h - b, x : w - y] = contrast[t : h - b, x : w - y]
+    return inner
+
+
+def _leading(values: Bools) -> int:
+    """How many values are True from the start; 0 if all or nearly all are."""
+    ends = np.flatnonzero(~values)
+    first = int(ends[0]) if len(ends) else len(values)
+    return first if first < 0.25 * len(values) else 0
 
 
 def _tiled(values: NDArray[np.generic], reduce: np.ufunc, tiles: int) -> Floats:

@@ -79,3 +79,22 @@ def test_faint_pencil_on_noisy_grey_paper_is_found() -> None:
     mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
     assert mask[drawn].mean() > 0.9
     assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.02 * drawn.sum()
+
+
+def test_black_edges_of_a_scan_and_window_bars_are_no_ink() -> None:
+    image = np.full((400, 560), 240, np.uint8)
+    cv2.polylines(image, [HEXAGON], True, 50, 3)
+    drawn = image < 100
+    image[:, :18] = 20
+    image[:12] = 30
+    image[-16:] = 60
+    mask = find_ink(Picture(np.dstack([image] * 3))).mask
+    assert np.array_equal(mask[16:-20, 22:], drawn[16:-20, 22:])
+    assert not mask[:12].any()
+    assert not mask[:, :18].any()
+
+
+def test_a_drawing_along_the_frame_stays() -> None:
+    image = np.full((300, 300), 255, np.uint8)
+    image[:3], image[-3:], image[:, :3], image[:, -3:], image[100:103] = 0, 0, 0, 0, 0
+    assert np.array_equal(find_ink(Picture(np.dstack([image] * 3))).mask, image == 0)
