@@ -58,7 +58,9 @@ def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool
     core = np.asarray(cv2.erode(contrast, box) > floor, dtype=np.uint8)
     if not core.any():
         return core > 0
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(_u8(cv2.dilate(core, box)), connectivity=4)
+    _, labels, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
+        _u8(cv2.dilate(core, box)), 8, cv2.CV_32S, cv2.CCL_GRANA
+    )
     large = stats[:, cv2.CC_STAT_AREA] >= BLOT * box.size
     large[0] = False
     return np.asarray(large[labels] & (core > 0), dtype=np.bool_)
@@ -95,9 +97,10 @@ def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: f
     filled = np.zeros(int(labels.max()) + 1, np.bool_)
     filled[labels[core]] = True
     level = np.where(filled[labels], level, np.uint8(0))
+    reach = _u8(cv2.convertScaleAbs(contrast, alpha=1.0 / SAME_FILL))
     for _ in range(int(narrow) + 2):
         grown = _u8(cv2.dilate(level, np.ones((3, 3), np.uint8)))
-        leak = contrast < SAME_FILL * grown  # over an outline into the next face
+        leak = reach < grown  # over an outline into the next face
         level = np.where(leak, level, np.minimum(grown, contrast))
     return level
 

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats
+from sketch2shape.model import Bools
 
 Gray = NDArray[np.uint8]
 
@@ -35,7 +35,7 @@ def noise_of(contrast: Gray, on_page: Bools | None = None) -> float:
     if on_page is None:
         return 1.85 * float(_median(rough))
     h, w = contrast.shape
-    rows, columns = np.linspace(0, h, 9).astype(int), np.linspace(0, w, 9).astype(int)
+    rows, columns = np.linspace(0, h, 6).astype(int), np.linspace(0, w, 6).astype(int)
     medians = []
     for top, bottom in itertools.pairwise(rows):
         for left, right in itertools.pairwise(columns):
@@ -66,11 +66,13 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
     h, w = contrast.shape
     if min(h, w) < 8 * TILES:
         return 0.0
-    parts = _tiled(contrast, np.maximum, PARTS * TILES).reshape(TILES, PARTS, TILES, PARTS).swapaxes(1, 2)
+    rows, columns = (np.arange(PARTS * TILES) * n // (PARTS * TILES) for n in (h, w))
+    highest = np.maximum.reduceat(np.maximum.reduceat(contrast, rows, axis=0), columns, axis=1).astype(np.float64)
+    parts = highest.reshape(TILES, PARTS, TILES, PARTS).swapaxes(1, 2)
     tallest = np.sort(parts.reshape(TILES**2, PARTS**2), axis=1)[:, -3]  # a speck or two are no mark
     if on_page is not None:
-        share = _tiled(on_page.astype(np.float32), np.add, TILES).ravel() / (h * w / TILES**2)
-        tallest = tallest[share > 0.8]
+        share = cv2.resize(on_page.astype(np.uint8) * 255, (TILES, TILES), interpolation=cv2.INTER_AREA)
+        tallest = tallest[np.asarray(share).ravel() > 0.8 * 255]
         if len(tallest) < TILES:
             return 0.0
     low, high = np.percentile(tallest, (12, 95))
@@ -112,10 +114,3 @@ def _leading(values: Bools) -> int:
     ends = np.flatnonzero(~values)
     first = int(ends[0]) if len(ends) else len(values)
     return first if first < 0.25 * len(values) else 0
-
-
-def _tiled(values: NDArray[np.generic], reduce: np.ufunc, tiles: int) -> Floats:
-    """(tiles, tiles) maxima or sums over the tiles."""
-    h, w = values.shape
-    rows, columns = np.arange(tiles) * h // tiles, np.arange(tiles) * w // tiles
-    return np.asarray(reduce.reduceat(reduce.reduceat(values, rows, axis=0), columns, axis=1), dtype=np.float64)
