@@ -20,7 +20,8 @@ def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
     through : (3,) from the front face to the back face
     """
     normal = _unit(through, np.array([0.0, 0.0, 1.0]))
-    level = _unit(np.cross(np.cross(normal, [1.0, 0.0, 0.0]), normal), np.array([1.0, 0.0, 0.0]))
+    aside = np.array([0.0, 0.0, -np.sign(normal[0]) or 1.0])  # level too, for a face that looks to the side
+    level = _unit(np.cross(np.cross(normal, [1.0, 0.0, 0.0]), normal), aside)
     across = np.cross(normal, level)
     flat = edge_vectors(front, sizes) @ np.c_[level, across]
     length = np.hypot(*flat.T)

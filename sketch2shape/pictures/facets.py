@@ -7,7 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.model import Floats, Ints, Solid
+from sketch2shape.model import Floats, Ints, Solid, TwoFaceObject
+
+YAW, PITCH = 28.0, 22.0
+"""Where a viewer stands by default: to the right and above, degrees."""
 
 
 @dataclass(frozen=True)
@@ -24,8 +27,20 @@ class Surface:
     edges: Ints
 
 
-def surface(solids: Sequence[Solid]) -> Surface:
-    """The surfaces of the solids, side by side, turned so that the first one faces the viewer squarely."""
+@dataclass(frozen=True)
+class Stand:
+    """How a solid is set up to be looked at.
+
+    rotation : (3, 3) from the solid's coordinates to right, down, away, with its own axes along these
+    view     : yaw and pitch, degrees, from which it shows the sides that its drawing shows
+    """
+
+    rotation: Floats
+    view: tuple[float, float]
+
+
+def surface(solids: Sequence[Solid], rotation: Floats | None = None) -> Surface:
+    """The surfaces of the solids, side by side, all turned by the rotation."""
     from sketch2shape.export.mesh import mesh_faces
 
     if not solids:
@@ -33,15 +48,49 @@ def surface(solids: Sequence[Solid]) -> Surface:
         return Surface(np.zeros((0, 3)), none, none[:, :2])
     starts = np.cumsum([0] + [len(s.vertices) for s in solids[:-1]])
     return Surface(
-        np.concatenate([s.vertices for s in solids]) @ _own_axes(solids[0]).T,
+        np.concatenate([s.vertices for s in solids]) @ (np.eye(3) if rotation is None else rotation).T,
         np.concatenate([mesh_faces(s) + k for s, k in zip(solids, starts, strict=True)]),
         np.concatenate([s.edges + k for s, k in zip(solids, starts, strict=True)]),
     )
 
 
+def stand(solid: Solid, drawing: TwoFaceObject | None = None) -> Stand:
+    """How to set a solid up: upright as in its drawing, but squarely.
+
+    The linear map that takes the solid's vertices nearest to their places in the drawing (least squares) tells which of
+    its directions look right, down and away there; without a drawing its coordinates are taken to be the viewer's.
+    """
+    drawn = _drawn_as(solid, drawing)
+    looks = np.array([drawn[0], drawn[1], np.cross(drawn[0], drawn[1])])
+    along = _own_axes(solid) @ (looks / np.linalg.norm(looks, axis=1, keepdims=True)).T
+    axes = _own_axes(solid)
+    d = int(np.abs(along[:, 1]).argmax())
+    a = max((k for k in range(3) if k != d), key=lambda k: abs(along[k, 2]))
+    down, away = axes[d] * np.sign(along[d, 1]), axes[a] * np.sign(along[a, 2])
+    return Stand(np.array([np.cross(down, away), down, away]), _view(drawn @ away, float(np.linalg.norm(drawn[0]))))
+
+
+def _drawn_as(solid: Solid, drawing: TwoFaceObject | None) -> Floats:
+    """(2, 3) linear map from the solid's directions to those of the drawing."""
+    default = np.array([[1.0, 0.0, 0.35], [0.0, 1.0, -0.35]])
+    if drawing is None or len(drawing.vertices) != len(solid.vertices):
+        return default
+    space = solid.vertices - solid.vertices.mean(axis=0)
+    plane = drawing.vertices - drawing.vertices.mean(axis=0)
+    drawn = np.linalg.lstsq(space, plane, rcond=None)[0].T
+    return np.asarray(drawn) if np.linalg.matrix_rank(drawn, 1e-6) == 2 else default
+
+
 def _own_axes(solid: Solid) -> Floats:
-    """(3, 3) rotation from the solid's coordinates to its width, height and depth."""
-    if solid.axes is None:
-        return np.eye(3)
-    mirrored = np.linalg.det(solid.axes) < 0
-    return np.asarray(solid.axes * [[1.0], [1.0], [-1.0 if mirrored else 1.0]])
+    """(3, 3) rows: the solid's own directions, those of its coordinates if it has none that span space."""
+    axes = np.eye(3) if solid.axes is None else solid.axes
+    return axes if abs(np.linalg.det(axes)) > 0.5 else np.eye(3)
+
+
+def _view(away: Floats, size: float) -> tuple[float, float]:
+    """Yaw and pitch from which depth runs as in the drawing: `away` for a depth of one, `size` for a width of one."""
+    length = float(np.hypot(*away))
+    if length < 0.03 * size:
+        return YAW, PITCH  # drawn from straight ahead
+    right, up = np.clip(np.array([away[0], -away[1]]) / length / 0.4, -1, 1)
+    return round(float(right) * YAW, 1), round(float(up) * PITCH, 1)

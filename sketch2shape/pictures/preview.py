@@ -16,13 +16,12 @@ import numpy as np
 
 from sketch2shape.model import Bools, Floats, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Pixels
-from sketch2shape.pictures.facets import Surface, surface
+from sketch2shape.pictures.facets import Surface, stand, surface
 from sketch2shape.pictures.palette import BACKDROP, INK, MUTED, PAPER, SHADE, mix
 from sketch2shape.result import Result
 
 _OVERSAMPLE = 2
 _DISTANCE = 4.2  # camera distance in radii of the scene: mild perspective
-_YAW, _PITCH = 28.0, 22.0
 _LIGHT = np.array([-0.45, -0.8, -0.55]) / np.linalg.norm([-0.45, -0.8, -0.55])
 
 
@@ -39,22 +38,24 @@ def preview(
     solids: Sequence[Solid],
     size: tuple[int, int] = (960, 720),
     *,
-    yaw: float = _YAW,
-    pitch: float = _PITCH,
+    drawing: TwoFaceObject | None = None,
+    view: tuple[float, float] | None = None,
 ) -> Pixels:
-    """The solids seen from the right and above.
+    """The solids, set up as the first one is drawn.
 
-    size       : width, height, pixels
-    yaw, pitch : how far the viewer walks to the right and up, degrees
+    size    : width, height, pixels
+    drawing : what the first solid was lifted from; the picture then shows the sides that the drawing shows
+    view    : how far the viewer walks to the right and up, degrees; None: as `drawing` tells
 
     Returns (height, width, 3) uint8 RGB.
     """
     w, h = size[0] * _OVERSAMPLE, size[1] * _OVERSAMPLE
-    shape = surface(solids)
     image = _backdrop(w, h)
-    if len(shape.vertices):
-        scene = _project(shape.vertices, turn(yaw, pitch), w, h)
-        image = _shadow(image, shape, turn(yaw, pitch))
+    if solids:
+        up = stand(solids[0], drawing)
+        shape, rotation = surface(solids, up.rotation), turn(*(view or up.view))
+        scene = _project(shape.vertices, rotation, w, h)
+        image = _shadow(image, shape, rotation)
         depth = _fill(image, shape, scene)
         _draw_edges(image, shape, scene, depth)
     return cv2.resize(image, size, interpolation=cv2.INTER_AREA).astype(np.uint8)
@@ -62,20 +63,7 @@ def preview(
 
 def preview_of(result: Result, size: tuple[int, int] = (960, 720)) -> Pixels:
     """The result's solids from the side that the drawing shows; see `preview`."""
-    yaw, pitch = viewpoint(result.objects)
-    return preview(result.solids, size, yaw=yaw, pitch=pitch)
-
-
-def viewpoint(objects: Sequence[TwoFaceObject]) -> tuple[float, float]:
-    """Yaw and pitch, degrees, for `preview`: from the side that the first object's drawing shows."""
-    if not objects:
-        return _YAW, _PITCH
-    away = objects[0].f2.mean(axis=0) - objects[0].f1.mean(axis=0)
-    length = float(np.hypot(*away))
-    if length < 0.02 * float(np.ptp(objects[0].vertices, axis=0).max()):
-        return _YAW, _PITCH  # seen from straight ahead
-    right, up = np.clip(np.array([away[0], -away[1]]) / length / 0.4, -1, 1)
-    return round(float(right) * _YAW, 1), round(float(up) * _PITCH, 1)
+    return preview(result.solids, size, drawing=result.objects[0] if result.objects else None)
 
 
 def turn(yaw: float, pitch: float) -> Floats:

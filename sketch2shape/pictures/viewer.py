@@ -13,9 +13,8 @@ from typing import Any
 import numpy as np
 
 from sketch2shape.pictures.canvas import encode_png, fit
-from sketch2shape.pictures.facets import surface
+from sketch2shape.pictures.facets import PITCH, YAW, stand, surface
 from sketch2shape.pictures.overlay import overlay
-from sketch2shape.pictures.preview import viewpoint
 from sketch2shape.result import Result
 
 
@@ -50,12 +49,14 @@ def facts(result: Result) -> list[tuple[str, str]]:
 
 def shape(result: Result) -> dict[str, Any]:
     """What the renderer in the page needs, ready for JSON."""
-    form = surface(result.solids)
+    drawing = result.objects[0] if result.objects else None
+    up = stand(result.solids[0], drawing) if result.solids else None
+    form = surface(result.solids, None if up is None else up.rotation)
     return {
         "vertices": [[round(float(c), 4) for c in v] for v in form.vertices],
         "triangles": form.triangles.tolist(),
         "edges": form.edges.tolist(),
-        "view": viewpoint(result.objects),
+        "view": (YAW, PITCH) if up is None else up.view,
     }
 
 

@@ -79,12 +79,12 @@ def connect_loose(front: Any, back: Any) -> dict[str, Any]:
     """
     from scipy.optimize import linear_sum_assignment
 
-    import sketch2shape
+    from sketch2shape.connect import connect
 
     f1, f2 = points_from(front, "the front face"), points_from(back, "the back face")
     if len(f1) != len(f2):
         raise UsageError(f"the front face has {len(f1)} vertices, the back face {len(f2)}")
-    f1 = f1[sketch2shape.connect(f1)]
+    f1 = f1[connect(f1)]
     gaps = (f1 - f1.mean(axis=0))[:, None] - (f2 - f2.mean(axis=0))[None]
     f2 = f2[linear_sum_assignment((gaps**2).sum(axis=2))[1]]
     return {"f1": _rounded(f1), "f2": _rounded(f2)}

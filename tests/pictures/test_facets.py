@@ -1,7 +1,12 @@
+from dataclasses import replace
+from typing import Literal
+
 import numpy as np
 import pytest
 
-from sketch2shape.pictures.facets import surface
+from sketch2shape.lift import LiftOptions, lift
+from sketch2shape.model import TwoFaceObject
+from sketch2shape.pictures.facets import stand, surface
 from sketch2shape.result import Result
 
 
@@ -24,3 +29,33 @@ def test_solids_side_by_side_share_no_vertex(box: Result, notched: Result) -> No
 
 def test_no_solids_have_an_empty_surface() -> None:
     assert surface(()).vertices.shape == (0, 3)
+
+
+def test_a_solid_is_looked_at_from_the_side_that_its_drawing_shows(box: Result) -> None:
+    solid, drawing = box.solids[0], box.objects[0]  # the back goes right and up
+    yaw, pitch = stand(solid, drawing).view
+    assert yaw > 0
+    assert pitch > 0
+    other = replace(drawing, f1=drawing.f2, f2=drawing.f1)
+    assert stand(solid, other).view == (-yaw, -pitch)
+
+
+@pytest.mark.parametrize("up", [None, "y", "z"])
+def test_a_solid_stands_as_it_is_drawn_whatever_its_coordinates(box: Result, up: Literal["y", "z"] | None) -> None:
+    drawing = box.objects[0]
+    solid = lift(drawing, options=LiftOptions(projection="oblique", up=up))
+    shown = surface([solid], stand(solid, drawing).rotation).vertices
+    front = shown[:4]
+    assert np.ptp(front[:, 2]) < 1e-6 * np.ptp(front[:, 0])  # the front face looks at the viewer
+    assert front[0, 1] < front[3, 1]  # its upper left corner is above its lower left one
+    assert front[0, 0] < front[1, 0]
+    assert front[0, 2] < shown[4, 2]
+
+
+def test_a_box_stands_the_same_way_when_its_side_is_called_the_front(box: Result) -> None:
+    f1, f2 = box.objects[0].f1, box.objects[0].f2
+    side = TwoFaceObject(np.array([f1[1], f2[1], f2[2], f1[2]]), np.array([f1[0], f2[0], f2[3], f1[3]]))
+    solid = lift(side)
+    assert min(solid.dimensions) > 100
+    shown = surface([solid], stand(solid, side).rotation).vertices
+    assert np.ptp(shown, axis=0) == pytest.approx([200, 180, solid.volume / 36000], rel=0.02)

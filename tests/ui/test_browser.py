@@ -1,0 +1,251 @@
+"""The page in a real browser: what a person does with it, and what becomes of it."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import trimesh
+from selenium.webdriver import ActionChains, Chrome
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+from .chromium import missing, start_browser
+from .server import start_app
+
+pytestmark = pytest.mark.skipif(missing() is not None, reason=str(missing()))
+
+#: a box on the drawing pad, from its middle, pixels of the screen
+FRONT = [(-150, -60), (50, -60), (50, 110), (-150, 110)]
+SHIFT = (90, -70)
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with start_app() as where:
+        yield where
+
+
+@pytest.fixture(scope="module")
+def downloads(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("downloads")
+
+
+@pytest.fixture(scope="module")
+def browser(downloads: Path) -> Iterator[Chrome]:
+    with start_browser(downloads) as chrome:
+        yield chrome
+
+
+@pytest.fixture
+def page(browser: Chrome, address: str) -> Chrome:
+    browser.get(address)
+    wait(lambda: browser.find_elements(By.CSS_SELECTOR, "#gallery button"))
+    return browser
+
+
+def wait(check: Callable[[], Any], seconds: float = 30) -> Any:
+    """The first true answer of `check`."""
+    end = time.monotonic() + seconds
+    while True:
+        answer = check()
+        if answer:
+            return answer
+        assert time.monotonic() < end, "it did not happen in time"
+        time.sleep(0.05)
+
+
+def message(page: Chrome) -> str:
+    return page.find_element(By.ID, "message").text
+
+
+def volume(page: Chrome) -> float:
+    return float(page.find_element(By.ID, "facts").get_attribute("data-volume") or 0)
+
+
+def upload(page: Chrome, path: Path) -> None:
+    page.find_element(By.ID, "file").send_keys(str(path))
+    wait(lambda: path.name in message(page) and "Looking" not in message(page) and volume(page))
+
+
+@pytest.fixture
+def box_file(box_png: bytes, tmp_path: Path) -> Path:
+    path = tmp_path / "box.png"
+    path.write_bytes(box_png)
+    return path
+
+
+def vertex(page: Chrome, face: int, index: int) -> Any:
+    name = json.dumps({"object": 0, "ring": 0, "face": face, "index": index}, separators=(",", ":"))
+    return page.find_element(By.CSS_SELECTOR, f"[data-name='{name}'] .spot")
+
+
+def place(page: Chrome, face: int, index: int) -> tuple[float, float]:
+    spot = vertex(page, face, index)
+    return float(spot.get_attribute("cx")), float(spot.get_attribute("cy"))
+
+
+def downloaded(folder: Path, name: str) -> Path:
+    file = folder / name
+    wait(lambda: file.exists() and file.stat().st_size and not list(folder.glob("*.crdownload")))
+    return file
+
+
+def drag(page: Chrome, element: Any, dx: int, dy: int) -> None:
+    ActionChains(page, duration=20).move_to_element(element).click_and_hold().move_by_offset(
+        dx // 2, dy // 2
+    ).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
+
+
+def test_upload_drag_undo_and_download_a_watertight_mesh(page: Chrome, box_file: Path, downloads: Path) -> None:
+    upload(page, box_file)
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+    before, x, y = volume(page), *place(page, 1, 0)
+    mesh_before = page.execute_script("return document.getElementById('solid').toDataURL()")
+
+    page.find_element(By.ID, "pair").click()
+    drag(page, vertex(page, 1, 0), -40, -30)
+    assert place(page, 1, 0) != (x, y)
+    wait(lambda: volume(page) != before and "follows" in message(page))
+    wait(lambda: page.execute_script("return document.getElementById('solid').toDataURL()") != mesh_before)
+
+    ActionChains(page).key_down(Keys.CONTROL).send_keys("z").key_up(Keys.CONTROL).perform()
+    wait(lambda: volume(page) == pytest.approx(before, rel=1e-3))
+    assert place(page, 1, 0) == (x, y)
+    page.find_element(By.ID, "redo").click()
+    wait(lambda: volume(page) != pytest.approx(before, rel=1e-3))
+    page.find_element(By.ID, "undo").click()
+    wait(lambda: volume(page) == pytest.approx(before, rel=1e-3))
+
+    page.find_element(By.ID, "download").click()
+    mesh = trimesh.load(downloaded(downloads, "box.stl"), force="mesh")
+    assert mesh.is_watertight
+    assert mesh.volume == pytest.approx(before, rel=0.02)
+
+
+def test_a_wrong_vertex_is_dragged_to_its_place(page: Chrome, box_file: Path, tmp_path: Path) -> None:
+    upload(page, box_file)
+    right, (x, y) = volume(page), place(page, 1, 2)
+    drag(page, vertex(page, 1, 2), 60, 40)  # now it is wrong
+    wait(lambda: volume(page) != pytest.approx(right, rel=1e-3))
+    scale = page.execute_script("return document.getElementById('editor').getScreenCTM().a")
+    wrong_x, wrong_y = place(page, 1, 2)
+    drag(page, vertex(page, 1, 2), round((x - wrong_x) * scale), round((y - wrong_y) * scale))
+    wait(lambda: volume(page) == pytest.approx(right, rel=0.05))
+
+
+def test_a_box_drawn_with_the_mouse_becomes_a_solid(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    pad = page.find_element(By.ID, "pad")
+    for i, (x, y) in enumerate(FRONT):
+        u, v = FRONT[(i + 1) % 4]
+        for a, b, c, d in ((x, y, u, v), (x + 90, y - 70, u + 90, v - 70), (x, y, x + 90, y - 70)):
+            ActionChains(page, duration=10).move_to_element_with_offset(
+                pad, a, b
+            ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
+    page.find_element(By.ID, "make").click()
+    wait(lambda: "Found the object" in message(page))
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+    assert volume(page) > 0
+    assert len(page.find_elements(By.CSS_SELECTOR, "#stages li")) == 8
+
+
+def test_a_real_size_scales_the_solid_at_once(page: Chrome, box_file: Path) -> None:
+    upload(page, box_file)
+    page.find_element(By.ID, "size-value").send_keys("40")
+    wait(lambda: "mm" in page.find_element(By.ID, "facts").text)
+    size = page.find_element(By.CSS_SELECTOR, "#facts dd").text
+    assert size.startswith("40 ×")
+
+
+def test_vertices_are_added_deleted_and_given_to_the_other_face(page: Chrome, box_file: Path) -> None:
+    upload(page, box_file)
+
+    def count() -> int:
+        return len(page.find_elements(By.CSS_SELECTOR, "g.vertex"))
+
+    ActionChains(page).send_keys("a").perform()  # the Add tool by its key
+    (x0, y0), (x1, y1) = (vertex(page, 1, i).location.values() for i in (0, 1))
+    editor = page.find_element(By.ID, "editor")
+    middle = page.execute_script(
+        "const r = arguments[0].getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]", editor
+    )
+    ActionChains(page).move_to_element_with_offset(
+        editor, round((x0 + x1) / 2 + 6 - middle[0]), round((y0 + y1) / 2 + 6 - middle[1] - 15)
+    ).click().perform()
+    assert count() == 10
+    vertex(page, 1, 1).find_element(By.XPATH, "..").send_keys(Keys.DELETE)
+    assert count() == 8
+    front = place(page, 1, 0)
+    vertex(page, 1, 0).find_element(By.XPATH, "..").send_keys("f")
+    assert place(page, 2, 0) == front
+
+
+def test_a_vertex_moves_by_the_arrow_keys(page: Chrome, box_file: Path) -> None:
+    upload(page, box_file)
+    x, y = place(page, 2, 3)
+    vertex(page, 2, 3).find_element(By.XPATH, "..").send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_UP)
+    assert place(page, 2, 3) == pytest.approx((x + 2, y - 1))
+    assert "vertex 4" in page.switch_to.active_element.get_attribute("aria-label")  # the focus stays on it
+
+
+def test_an_object_is_traced_where_none_was_found(page: Chrome, tmp_path: Path) -> None:
+    import cv2
+    import numpy as np
+
+    blank = tmp_path / "blank.png"
+    cv2.imwrite(str(blank), np.full((400, 500, 3), 255, np.uint8))
+    page.find_element(By.ID, "file").send_keys(str(blank))
+    wait(lambda: "Trace it by hand" in message(page))
+    editor = page.find_element(By.ID, "editor")
+    for x, y in [*FRONT, FRONT[0], (FRONT[0][0] + SHIFT[0], FRONT[0][1] + SHIFT[1])]:
+        ActionChains(page).move_to_element_with_offset(editor, x, y).click().perform()
+    wait(lambda: volume(page) > 0)
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+
+
+def test_corrections_are_saved_and_read_back(page: Chrome, box_file: Path, downloads: Path) -> None:
+    upload(page, box_file)
+    vertex(page, 1, 0).find_element(By.XPATH, "..").send_keys(Keys.ARROW_LEFT)
+    moved = place(page, 1, 0)
+    page.find_element(By.ID, "save").click()
+    file = downloaded(downloads, "box.corrections.json")
+    saved = json.loads(file.read_text())
+    assert saved["source"] == "box.png"
+    assert saved["objects"][0]["f1"][0] == pytest.approx(moved)
+    page.refresh()
+    upload(page, box_file)
+    assert place(page, 1, 0) != pytest.approx(moved)
+    page.find_element(By.ID, "file").send_keys(str(file))
+    wait(lambda: place(page, 1, 0) == pytest.approx(moved))
+
+
+def test_what_is_no_picture_is_said_on_the_page(page: Chrome, tmp_path: Path) -> None:
+    text = tmp_path / "notes.txt"
+    text.write_text("not a drawing")
+    page.find_element(By.ID, "file").send_keys(str(text))
+    wait(lambda: "not a picture" in message(page))
+    assert "bad" in page.find_element(By.ID, "message").get_attribute("class")
+
+
+def test_examples_are_one_click_away_and_fit_a_narrow_screen(page: Chrome) -> None:
+    page.set_window_size(420, 900)
+    try:
+        page.find_elements(By.CSS_SELECTOR, "#gallery button")[1].click()
+        wait(lambda: "Found the object" in message(page))
+        assert page.execute_script("return document.documentElement.scrollWidth <= innerWidth")
+    finally:
+        page.set_window_size(1400, 1000)
+
+
+def test_the_page_asks_nobody_else_and_reports_no_errors(page: Chrome, address: str, box_file: Path) -> None:
+    page.get_log("browser")
+    upload(page, box_file)
+    asked = page.execute_script("return performance.getEntriesByType('resource').map(e => e.name)")
+    assert asked
+    assert all(a.startswith((address, "data:", "blob:")) for a in asked)
+    assert page.get_log("browser") == []
