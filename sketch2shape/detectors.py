@@ -1,0 +1,248 @@
+"""Corner detection as a stage of its own: detectors propose, strokes confirm.
+
+Strategy. Shi-Tomasi (Shi and Tomasi 1994) and Harris (Harris and Stephens 1988) fire wherever the ink's gradient has
+two strong directions: at vertices, but also at crossings, at the ends of dashes, and twice or more at a blunt corner;
+they are right to a few pixels. Strokes know what meets where. So a detector only proposes places; the corner is where
+strokes meet close by, at the intersection of their lines, and how they meet is the corner's kind: an X is a crossing of
+two strokes that both run straight on, and no vertex.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import cv2
+import numpy as np
+
+from sketch2shape.corners import Corners as Joined
+from sketch2shape.corners import join_ends
+from sketch2shape.errors import UsageError
+from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.strokes import Strokes
+from sketch2shape.tracing import drawn_strokes, ink_of, to_picture, working_tolerance
+
+Detector = Literal["both", "shi-tomasi", "harris"]
+DETECTORS: tuple[str, ...] = ("both", "shi-tomasi", "harris")
+Kind = Literal["end", "L", "Y", "W", "T", "X", "multi"]
+
+PEN = 2.5
+"""Pen width, pixels, at which the detectors look: wider lines would be seen as two edges each."""
+MOST = 600
+QUALITY = {"shi-tomasi": 0.05, "harris": 0.004}
+"""Least response as a part of the strongest. Harris' grows with the square of Shi-Tomasi's."""
+STRAIGHT = 0.26
+"""Two strokes that meet at less than this (radians, 15 degrees) from straight run on through the corner."""
+SPECK = 0.05
+"""A stroke by itself, shorter than this part of the drawing, is a dash or part of a letter: its ends are no corners."""
+
+
+@dataclass(frozen=True)
+class DetectedCorners:
+    """Corners of a drawing; vertices first, then crossings and loose ends.
+
+    points     : (k, 2) float, picture pixels, sub-pixel
+    kinds      : k names: "L" two strokes turn; "Y" three, none of the angles over 180 degrees; "W" three, one is;
+                 "T" a stroke ends on another; "X" two strokes cross, both running on; "multi" more than three
+                 end there, or run on; "end" a stroke ends in the open
+    degree     : (k,) int, how many arms leave the corner: 1 for an end, 2 for L, 3 for Y, W and T, 4 for X
+    shi_tomasi : (k,) bool, proposed by Shi-Tomasi
+    harris     : (k,) bool, proposed by Harris
+    """
+
+    points: Floats
+    kinds: tuple[Kind, ...]
+    degree: Ints
+    shi_tomasi: Bools
+    harris: Bools
+
+    @property
+    def is_vertex(self) -> Bools:
+        """(k,) bool: what can be a vertex of the object: neither crossing nor loose end. At a T something is hidden."""
+        return np.array([kind not in ("X", "end") for kind in self.kinds], bool)
+
+    @property
+    def vertices(self) -> Floats:
+        """(m, 2) float: the points that can be vertices."""
+        return self.points[self.is_vertex]
+
+    def __len__(self) -> int:
+        """How many corners."""
+        return len(self.points)
+
+
+def detect_corners(source: Any, detector: Detector = "both", *, tolerance: float | None = None) -> DetectedCorners:
+    """Corners of a drawing, with their kind.
+
+    source    : path, bytes, PIL image, array (gray, RGB, RGBA), `Picture`, or the `Ink` of one
+    detector  : whose proposals count: "shi-tomasi", "harris", or "both" for either's
+    tolerance : picture pixels by which a drawn line may stray from a straight one, see `trace_strokes`
+    Raises UsageError for an unknown detector, UnreadableError or LimitError for a picture that cannot be read.
+    """
+    check_detector(detector)
+    ink = ink_of(source)
+    stray = working_tolerance(ink, tolerance)
+    strokes = _drawing(drawn_strokes(ink, stray))
+    if not len(strokes.ends):
+        return _empty()
+    found = _with_crossings(strokes, ink.pen_width)
+    seen = {name: _near(found.points, propose(ink, name), reach_of(ink, stray)) for name in DETECTORS[1:]}
+    counts = seen["shi-tomasi"] | seen["harris"] if detector == "both" else seen[detector]
+    keep = np.flatnonzero(counts)
+    return DetectedCorners(
+        to_picture(found.points[keep], ink.scale),
+        tuple(found.kinds[k] for k in keep),
+        found.degree[keep],
+        seen["shi-tomasi"][keep],
+        seen["harris"][keep],
+    )
+
+
+def check_detector(name: str) -> None:
+    """Raise UsageError unless it is one of `DETECTORS`."""
+    if name not in DETECTORS:
+        raise UsageError(f"expected detector to be one of {', '.join(DETECTORS)}, got {name!r}")
+
+
+def reach_of(ink: Ink, tolerance: float) -> float:
+    """Working pixels between a corner and what a detector sees of it: a blunt pen moves it inwards."""
+    return 3.0 + 1.5 * ink.pen_width + 2.0 * tolerance
+
+
+def propose(ink: Ink, detector: str) -> Floats:
+    """Places that "shi-tomasi", "harris" or "both" take for corners, strongest first: (k, 2) float, working pixels.
+
+    Looked for around the ink only, in a picture so small that the pen is a few pixels wide.
+    """
+    if detector == "both":
+        return np.concatenate([propose(ink, name) for name in DETECTORS[1:]])
+    box = cv2.boundingRect(ink.mask.astype(np.uint8))
+    if not box[2]:
+        return np.zeros((0, 2))
+    margin = int(2 * ink.pen_width) + 4
+    x, y = max(box[0] - margin, 0), max(box[1] - margin, 0)
+    part: Any = (ink.strength * ink.mask)[y : box[1] + box[3] + margin, x : box[0] + box[2] + margin]
+    scale = min(1.0, PEN / ink.pen_width)
+    if scale < 1.0:
+        part = cv2.resize(part, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    found = cv2.goodFeaturesToTrack(
+        part, MOST, QUALITY[detector], 4, blockSize=5, useHarrisDetector=detector == "harris", k=0.04
+    )
+    points = np.zeros((0, 2)) if found is None else found[:, 0].astype(float)
+    return np.asarray((points + 0.5) / scale - 0.5 + [x, y])
+
+
+@dataclass(frozen=True)
+class _Meetings:
+    points: Floats
+    kinds: tuple[Kind, ...]
+    degree: Ints
+
+
+def _empty() -> DetectedCorners:
+    none = np.zeros(0, bool)
+    return DetectedCorners(np.zeros((0, 2)), (), np.zeros(0, np.intp), none, none)
+
+
+def _drawing(strokes: Strokes) -> Strokes:
+    """Without dashes and letters that lie by themselves."""
+    if not len(strokes.ends):
+        return strokes
+    size = float(np.hypot(*np.ptp(strokes.ends.reshape(-1, 2), axis=0)))
+    long = strokes.lengths >= SPECK * size
+    ends = strokes.ends.reshape(-1, 2)
+    gap = np.linalg.norm(ends[:, None] - ends[None], axis=2)
+    other = np.arange(len(ends)) // 2
+    touches = ((gap < SPECK * size / 2) & (other[:, None] != other[None]) & long[other][None]).any(axis=1)
+    keep = long | touches.reshape(-1, 2).any(axis=1)
+    return Strokes(strokes.ends[keep], strokes.inked[keep], strokes.tolerance)
+
+
+def _with_crossings(strokes: Strokes, pen: float) -> _Meetings:
+    """Where ends meet, and where strokes cross far from any of those; loose ends last."""
+    joined = join_ends(strokes, pen)
+    arms = _arms(strokes, joined)
+    kinds = [_kind(a, bool(on)) for a, on in zip(arms, joined.on, strict=True)]
+    degree = np.array([len(a) + 2 * bool(on) for a, on in zip(arms, joined.on, strict=True)], np.intp)
+    near = strokes.tolerance + 2 * pen
+    single = _single(joined.points, degree, near)
+    vertices = [k for k in single if kinds[k] != "end"]
+    ends = [k for k in single if kinds[k] == "end"]
+    crossings, crossing = _crossings(strokes, joined.points, near)
+    # three lines through one point are no accident: two vertices may coincide there
+    crossed: list[Kind] = ["multi" if d > 4 else "X" for d in crossing]
+    loose: list[Kind] = ["end" for _ in ends]
+    points = np.concatenate([joined.points[vertices], crossings, joined.points[ends]])
+    return _Meetings(
+        points,
+        (*(kinds[k] for k in vertices), *crossed, *loose),
+        np.concatenate([degree[vertices], crossing, degree[ends]]),
+    )
+
+
+def _single(points: Floats, degree: Ints, near: float) -> list[int]:
+    """Corners without those that lie on one where more strokes meet: most strokes first."""
+    kept: list[int] = []
+    for k in np.argsort(-degree, kind="stable").tolist():
+        if not kept or float(np.linalg.norm(points[kept] - points[k], axis=1).min()) > near:
+            kept.append(k)
+    return kept
+
+
+def _arms(strokes: Strokes, joined: Joined) -> list[Floats]:
+    """For each corner the directions (radians) in which strokes leave it."""
+    span = strokes.ends[:, 1] - strokes.ends[:, 0]
+    angle = np.arctan2(span[:, 1], span[:, 0])
+    leaving = np.c_[angle, angle + np.pi].ravel()
+    at = joined.strokes.ravel()
+    return [leaving[at == k] for k in range(len(joined.points))]
+
+
+def _kind(arms: Floats, on: bool) -> Kind:
+    """The kind of a corner from the directions of the strokes that end there, and whether one runs through."""
+    if on:
+        return "T" if len(arms) == 1 else "multi"
+    if len(arms) < 3:
+        return "end" if len(arms) < 2 else "L"
+    if len(arms) > 3:
+        return "multi"
+    around = np.sort(arms % (2 * np.pi))
+    widest = float(np.diff(np.r_[around, around[0] + 2 * np.pi]).max())
+    if abs(widest - np.pi) <= STRAIGHT:
+        return "T"
+    return "W" if widest > np.pi else "Y"
+
+
+def _crossings(strokes: Strokes, corners: Floats, near: float) -> tuple[Floats, Ints]:
+    """(k, 2) where strokes cross away from all corners, and (k,) how many arms leave each crossing."""
+    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
+    i, j = np.triu_indices(len(a), 1)
+    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
+    lengths = strokes.lengths + 1e-9
+    ok = np.abs(det) > 0.1 * lengths[i] * lengths[j]
+    i, j, det = i[ok], j[ok], det[ok]
+    gap = a[j] - a[i]
+    s = (gap[:, 0] * span[j, 1] - gap[:, 1] * span[j, 0]) / det
+    t = (gap[:, 0] * span[i, 1] - gap[:, 1] * span[i, 0]) / det
+    inside = (s > 0) & (s < 1) & (t > 0) & (t < 1)
+    i, j = i[inside], j[inside]
+    points = a[i] + s[inside, None] * span[i]
+    free = ~_near(points, corners, near)
+    groups: list[tuple[list[Floats], set[int]]] = []
+    for p, pair in zip(points[free], np.c_[i, j][free].tolist(), strict=True):
+        home = next((g for g in groups if float(np.linalg.norm(g[0][0] - p)) <= near), None)
+        if home is None:
+            groups.append(([p], set(pair)))
+        else:
+            home[0].append(p)
+            home[1].update(pair)
+    middle = np.array([np.mean(g[0], axis=0) for g in groups]).reshape(-1, 2)
+    return middle, np.array([2 * len(g[1]) for g in groups], np.intp)
+
+
+def _near(points: Floats, proposals: Floats, reach: float) -> Bools:
+    """Whether each point has a proposal within reach."""
+    if not len(proposals) or not len(points):
+        return np.zeros(len(points), bool)
+    gap = np.linalg.norm(points[:, None] - proposals[None], axis=2)
+    return np.asarray(gap.min(axis=1) <= reach)
