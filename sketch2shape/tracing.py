@@ -21,8 +21,8 @@ def trace_strokes(source: Any, *, tolerance: float | None = None) -> Strokes:
     """Straight strokes of a drawing, solid and dashed, longest first; in the picture's pixels.
 
     source    : path, bytes, PIL image, array (gray, RGB, RGBA), `Picture`, or the `Ink` of one
-    tolerance : picture pixels by which a drawn line may stray from a straight one; None for ruled lines, about 1 % of the
-                drawing's size for a hand without a ruler
+    tolerance : picture pixels by which a drawn line may stray from a straight one; None for ruled lines, about 1 % of
+                the drawing's size for a hand without a ruler
 
     The ink is thinned, its branches are cut into nearly straight pieces (Douglas and Peucker 1973), and pieces on one
     line are joined across crossings and the gaps of dashes. Raises UnreadableError or LimitError for a picture that
