@@ -10,77 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from sketch2shape import homology
-from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.model import Floats, Ints
+from sketch2shape.regions import Region, reductions, sharpened
 from sketch2shape.separate import CornerGraph
 from sketch2shape.verify import Rings
-
-
-@dataclass(frozen=True)
-class Region:
-    """A region that the ink encloses.
-
-    outline : (n, 2) float, pixels, its border along the middle of the strokes
-    islands : borders of what lies inside it: holes, letters
-    """
-
-    outline: Floats
-    islands: tuple[Floats, ...] = ()
-
-
-def enclosed_regions(mask: Bools, pen: float, tolerance: float, most: int = 40) -> list[Region]:
-    """Regions that the ink encloses, the largest first.
-
-    mask : (h, w) bool, the ink
-    """
-    grown = cv2.copyMakeBorder(mask.astype(np.uint8), 2, 2, 2, 2, cv2.BORDER_CONSTANT)
-    close = max(1, int(tolerance))
-    if close > 1:
-        grown = cv2.dilate(grown, _disc(close - 1))
-    _, label, stats, _ = cv2.connectedComponentsWithStats(1 - grown, connectivity=4)
-    diagonal = np.hypot(*mask.shape)
-    least = max(3 * pen * pen, 1e-4 * diagonal**2)
-    outside = label[0, 0]
-    order = [k for k in np.argsort(-stats[:, cv2.CC_STAT_AREA]) if k not in (0, outside)]
-    regions = []
-    for k in [k for k in order if stats[k, cv2.CC_STAT_AREA] >= least][:most]:
-        region = _region(label, stats[k], int(k), pen + 2 * (close - 1), tolerance)
-        if region is not None:
-            regions.append(region)
-    return regions
-
-
-def _disc(radius: int) -> NDArray[np.uint8]:
-    return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * radius + 1, 2 * radius + 1)), np.uint8)
-
-
-def _region(label: NDArray[Any], stat: NDArray[Any], k: int, pen: float, tolerance: float) -> Region | None:
-    """One region's polygons, their borders moved to the middle of the strokes, thin intrusions closed."""
-    margin = int(3 * pen) + 4
-    x, y, w, h = (int(v) for v in stat[:4])
-    x0, y0 = max(x - margin, 0), max(y - margin, 0)
-    part = (label[y0 : y + h + margin, x0 : x + w + margin] == k).astype(np.uint8)
-    part = cv2.copyMakeBorder(part, margin, margin, margin, margin, cv2.BORDER_CONSTANT)
-    out, back = max(1, round(1.5 * pen)), max(0, round(1.0 * pen))
-    part = cv2.dilate(part, _disc(out))
-    if back:
-        part = cv2.erode(part, _disc(back))
-    contours, tree = cv2.findContours(part, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
-    # two pixels of border were added before the regions were labelled
-    shift = np.array([x0 - margin - 2.0, y0 - margin - 2.0])
-    areas = [cv2.contourArea(c) for c in contours]
-    outer = max((i for i in range(len(contours)) if tree[0, i, 3] < 0), key=lambda i: areas[i])
-    inner = [i for i in range(len(contours)) if tree[0, i, 3] == outer and areas[i] > 0.004 * areas[outer]]
-    polygons = [cv2.approxPolyDP(contours[i], tolerance + 0.35 * pen, True)[:, 0] + shift for i in [outer, *inner[:8]]]
-    if not 3 <= len(polygons[0]) <= 64:
-        return None
-    return Region(polygons[0], tuple(p for p in polygons[1:] if 3 <= len(p) <= 64))
 
 
 def snap(outline: Floats, graph: CornerGraph, reach: float) -> tuple[Ints, Floats]:
@@ -117,9 +55,21 @@ def _without_straight(corner: Ints, points: Floats, tolerance: float) -> tuple[I
     return corner, points
 
 
-def rungs_of(corner: Ints, outline: Floats, graph: CornerGraph) -> list[tuple[int, int]]:
-    """(vertex of the outline, corner of the graph) for every inked segment that leaves the outline at a vertex."""
-    ring = outline.astype(np.float32)[:, None]
+@dataclass(frozen=True)
+class Rungs:
+    """Connecting edges seen at the vertices of a ring.
+
+    vertex : (k,) int, index into the ring
+    end    : (k, 2) float, where the rung ends, pixels
+    """
+
+    vertex: Ints
+    end: Floats
+
+
+def rungs_of(corner: Ints, ring: Floats, graph: CornerGraph) -> Rungs:
+    """Inked segments that leave the ring at a vertex, to any corner outside."""
+    contour = ring.astype(np.float32)[:, None]
     found = []
     for i, c in enumerate(corner):
         if c < 0:
@@ -127,54 +77,118 @@ def rungs_of(corner: Ints, outline: Floats, graph: CornerGraph) -> list[tuple[in
         for j in np.flatnonzero(graph.inked[c]):
             if j in corner:
                 continue
-            way = graph.points[j] - outline[i]
-            step = outline[i] + way * min(0.5, 3 * graph.tolerance / (np.linalg.norm(way) + 1e-9))
-            if cv2.pointPolygonTest(ring, step.tolist(), True) < 0:
-                found.append((i, int(j)))
-    return found
+            way = graph.points[j] - ring[i]
+            step = ring[i] + way * min(0.5, 3 * graph.tolerance / (np.linalg.norm(way) + 1e-9))
+            if cv2.pointPolygonTest(contour, step.tolist(), True) < 0:
+                found.append((i, graph.points[j]))
+    return _rungs(found)
 
 
-def caps(graph: CornerGraph, regions: list[Region], most: int = 24) -> Iterator[Rings]:
-    """Hypotheses from every region, each region's best maps first."""
-    reach = 1.2 * graph.tolerance + 2
+def _rungs(found: list[tuple[int, Floats]]) -> Rungs:
+    return Rungs(np.array([i for i, _ in found], np.intp), np.array([p for _, p in found]).reshape(-1, 2))
+
+
+def rungs_from_sides(ring: Floats, sides: list[Floats], reach: float) -> Rungs:
+    """Rungs of the side faces: a quadrilateral that shares an edge with the ring continues in the two rungs there."""
+    n, found = len(ring), []
+    for side in sides:
+        for i in range(n):
+            edge = np.array([ring[i], ring[(i + 1) % n]])
+            for k in range(4):
+                # neighbours run along their common edge in opposite directions
+                shared = np.array([side[(k + 1) % 4], side[k]])
+                if np.linalg.norm(shared - edge, axis=1).max() <= reach:
+                    found += [(i, side[(k + 2) % 4]), ((i + 1) % n, side[k - 1])]
+    return _rungs(found)
+
+
+def caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterator[Rings]:
+    """Hypotheses from every region; pen is the pen width in pixels."""
+    short = 3.0 * pen + graph.tolerance / 2
     for region in regions:
-        corner, ring = snap(region.outline, graph, reach)
-        if not 3 <= len(ring) <= 64:
-            continue
-        islands = [snap(p, graph, reach)[1] for p in region.islands]
-        rungs = rungs_of(corner, ring, graph)
-        for h in _maps(ring, rungs, graph, most):
-            back = homology.apply(h, ring)
-            if not np.isfinite(back).all():
+        sharp = Region(sharpened(region.outline, short), tuple(sharpened(p, short) for p in region.islands))
+        yield from _from_region(graph, sharp)
+        if len(sharp.outline) != len(region.outline):
+            yield from _from_region(graph, region)
+
+
+def loose_caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterator[Rings]:
+    """Hypotheses for drawings too rough for corners: from the shapes of the regions alone."""
+    sides = [p for r in regions for p in reductions(r.outline, 0.2) if len(p) == 4]
+    reach = 1.5 * graph.tolerance + 1.5 * pen
+    for region in regions[:12]:
+        for ring in reductions(region.outline):
+            if len(ring) > 16:
                 continue
-            yield Rings((ring,), (back,))
-            if islands:
-                yield Rings((ring, *islands), (back, *(homology.apply(h, p) for p in islands)))
+            yield from _swept(ring, (), rungs_from_sides(ring, sides, reach), graph, 12)
 
 
-def _maps(ring: Floats, rungs: list[tuple[int, int]], graph: CornerGraph, most: int) -> Floats:
+def _from_region(graph: CornerGraph, region: Region, most: int = 24) -> Iterator[Rings]:
+    reach = 1.2 * graph.tolerance + 2
+    corner, ring = snap(region.outline, graph, reach)
+    if not 3 <= len(ring) <= 64:
+        return
+    islands = tuple(snap(p, graph, reach)[1] for p in region.islands)
+    yield from _swept(ring, islands, rungs_of(corner, ring, graph), graph, most)
+
+
+def _swept(ring: Floats, islands: tuple[Floats, ...], rungs: Rungs, graph: CornerGraph, most: int) -> Iterator[Rings]:
+    """The ring with its images under the maps that its rungs suggest, the best first."""
+    for h in _maps(ring, rungs, graph, most):
+        back = homology.apply(h, ring)
+        if not np.isfinite(back).all():
+            continue
+        yield Rings((ring,), (back,))
+        if islands:
+            yield Rings((ring, *islands), (back, *(homology.apply(h, p) for p in islands)))
+        pulled = _pulled(ring, back, rungs, graph)
+        if pulled is not None:
+            yield Rings((ring,), (pulled,))
+
+
+def _pulled(ring: Floats, back: Floats, rungs: Rungs, graph: CornerGraph) -> Floats | None:
+    """The back face with its vertices at the ends of the drawn rungs: a hand rarely draws two faces quite alike.
+
+    Back vertices without a rung follow from the map through those that have one. None if nothing moves.
+    """
+    pulled, seen = back.copy(), np.zeros(len(ring), bool)
+    best = np.full(len(ring), 2.5 * graph.tolerance)
+    for i, end in zip(rungs.vertex, rungs.end, strict=True):
+        off = float(np.linalg.norm(back[i] - end))
+        if off < best[i]:
+            best[i], pulled[i], seen[i] = off, end, True
+    if not seen.any() or best[seen].max() < 1.0:
+        return None
+    rest = ~seen
+    if rest.any():
+        src, dst = ring[seen], pulled[seen]
+        fit = homology.similarity(src, dst) if seen.sum() > 1 else homology.translation((dst - src).mean(axis=0))
+        pulled[rest] = homology.apply(fit, ring[rest])
+        if len(graph.points):
+            near = np.linalg.norm(pulled[rest, None] - graph.points[None], axis=2)
+            close = near.min(axis=1) < graph.tolerance
+            pulled[np.flatnonzero(rest)[close]] = graph.points[near.argmin(axis=1)[close]]
+    return pulled
+
+
+def _maps(ring: Floats, rungs: Rungs, graph: CornerGraph, most: int) -> Floats:
     """Maps from one, two and three rungs, those that carry the most vertices onto their rungs' ends first."""
-    if not rungs:
+    vertex, dst = rungs.vertex[:24], rungs.end[:24]
+    if not len(vertex):
         return np.zeros((0, 3, 3))
-    r = np.array(rungs[:24])
-    src, dst = ring[r[:, 0]], graph.points[r[:, 1]]
+    src = ring[vertex]
     parts = [homology.translation(dst - src)]
-    pairs = np.array([p for p in combinations(range(len(r)), 2) if r[p[0], 0] != r[p[1], 0]], int).reshape(-1, 2)
-    if len(pairs):
-        parts.append(homology.similarity(src[pairs], dst[pairs]))
-    triples = np.array([t for t in combinations(range(len(r)), 3) if len({*r[list(t), 0]}) == 3][:600], int).reshape(
-        -1, 3
-    )
-    if len(triples):
-        parts.append(homology.homology(src[triples], dst[triples]))
+    for count, fit, limit in ((2, homology.similarity, 300), (3, homology.homology, 600)):
+        sets = [c for c in combinations(range(len(vertex)), count) if len({*vertex[list(c)].tolist()}) == count]
+        if sets:
+            chosen = np.array(sets[:limit])
+            parts.append(fit(src[chosen], dst[chosen]))
     maps = np.concatenate(parts)
-    image = homology.apply(maps, src)
     with np.errstate(invalid="ignore"):
-        off = np.linalg.norm(image - dst[None], axis=2)
+        off = np.linalg.norm(homology.apply(maps, src) - dst[None], axis=2)
     hits = off <= graph.tolerance
-    # simpler maps come first among equals
     kind = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
-    vertices = np.array([len(set(r[h, 0])) for h in hits])
-    # each extra degree of freedom explains half a rung for free
+    vertices = np.array([len(set(vertex[h].tolist())) for h in hits])
+    # each further degree of freedom explains most of a rung for free
     order = np.argsort(-(vertices - 0.9 * kind), kind="stable")
     return maps[order[:most]]

@@ -15,13 +15,22 @@ import numpy as np
 
 from sketch2shape import caps, separate
 from sketch2shape.corners import Corners, join_ends
-from sketch2shape.model import Ink
+from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import refine
+from sketch2shape.regions import enclosed_regions, without_edge
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, coverage, thin, trace_strokes
-from sketch2shape.verify import Evidence, Rings, Sheet, judge, skeleton_sheet
+from sketch2shape.verify import Evidence, Rings, Sheet, judge, plausible, skeleton_sheet
 
 GOOD = 0.975
+PERFECT = 0.995
+LEAST_CONFIDENCE = 0.7
+"""Below this a group of ink beside an object is not taken for a second one."""
+LEAST_COMPANION = 0.3
+"""A second object has at least this part of the first one's size; smaller things are letters."""
+SHORTLIST = 5
+FLAT = 0.35
+"""A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
 MOST_HYPOTHESES = 160
 MOST_CORNERS = 120
 
@@ -32,14 +41,19 @@ class Found:
 
     rings     : in working pixels
     evidence  : how well it agrees with the ink
-    tolerance : of the round that found it, pixels
+    reach     : of the round that found it, pixels
     noise     : rms distance between model and ink, pixels
     """
 
     rings: Rings
     evidence: Evidence
-    tolerance: float
+    reach: float
     noise: float = 0.0
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the object's bounding box, pixels."""
+        return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
 
     @property
     def confidence(self) -> float:
@@ -47,17 +61,45 @@ class Found:
         return float(np.clip(self.evidence.score, 0.0, 1.0))
 
 
-def corner_graph(skeleton: Skeleton, corners: Corners, tolerance: float) -> separate.CornerGraph:
+@dataclass(frozen=True)
+class Round:
+    """How tolerant one round of the search is, pixels.
+
+    trace : how far a stroke may stray from its line before it counts as bent
+    reach : how far ink may lie from the straight line between two corners
+    loose : whether to try the shapes of regions alone, without corners
+    """
+
+    trace: float
+    reach: float
+    loose: bool = False
+
+
+def rounds_for(size: float, pen: float) -> list[Round]:
+    """From ruled lines to a heavy wobble. A wobbling stroke still ends in a sharp corner: fine tracing, wide reach.
+
+    A thick pen rounds corners and bends the skeleton near them in proportion to its width.
+    """
+    return [
+        Round(max(1.5, 0.08 * pen), max(2.0, 0.15 * pen)),
+        Round(max(1.5, 0.08 * pen), max(3.0, 0.2 * pen)),
+        Round(max(1.5, 0.08 * pen), max(4.0, 0.011 * size, 0.3 * pen)),
+        Round(max(2.5, 0.006 * size, 0.15 * pen), max(4.0, 0.014 * size, 0.4 * pen), True),
+        Round(max(4.0, 0.012 * size, 0.25 * pen), max(6.0, 0.02 * size, 0.5 * pen), True),
+    ]
+
+
+def corner_graph(skeleton: Skeleton, corners: Corners, reach: float) -> separate.CornerGraph:
     """Corners that can be vertices, and which of them have ink between them."""
     keep = np.flatnonzero((corners.degree >= 2) | corners.on)[:MOST_CORNERS]
     points = corners.points[keep]
     k = len(points)
     i, j = np.triu_indices(k, 1)
-    share = coverage(skeleton.distance, points[i], points[j], tolerance + 0.5)
+    share = coverage(skeleton.distance, points[i], points[j], reach)
     apart = np.linalg.norm(points[i] - points[j], axis=1) > 2 * skeleton.pen_width
     inked = np.zeros((k, k), bool)
     inked[i, j] = inked[j, i] = (share > 0.9) & apart
-    return separate.CornerGraph(points, inked, 0.75 * skeleton.pen_width + 2.5 * tolerance + 1)
+    return separate.CornerGraph(points, inked, 0.75 * skeleton.pen_width + 1.5 * reach + 1.5)
 
 
 def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
@@ -84,13 +126,18 @@ def _holed(found: dict[frozenset[int], Rings]) -> Iterator[Rings]:
 
 def find_all(ink: Ink) -> list[Found]:
     """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
-    found = []
+    found: list[Found] = []
     for group in split_groups(ink):
+        if found and group.size < LEAST_COMPANION * found[0].size:
+            break
         best = find(group)
-        if best is not None:
+        if best is not None and (best.confidence >= LEAST_CONFIDENCE or not found):
             shift = group.offset
             rings = Rings(tuple(r + shift for r in best.rings.front), tuple(r + shift for r in best.rings.back))
             found.append(replace(best, rings=rings))
+            found.sort(key=lambda f: -(f.confidence >= LEAST_CONFIDENCE) * f.size)
+    if len(found) > 1:
+        found = [f for f in found if f.confidence >= LEAST_CONFIDENCE] or found[:1]
     return found
 
 
@@ -101,54 +148,119 @@ def find(group: Group) -> Found | None:
         return None
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     best: Found | None = None
-    for k, tolerance in enumerate(_tolerances(size)):
-        found = _round(group, skeleton, tolerance)
+    for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
+        found = _round(group, skeleton, tolerant)
         if found is not None and (best is None or found.evidence.score - 0.01 * k > best.evidence.score):
             best = found
         if best is not None and best.evidence.score >= GOOD - 0.01 * k:
             break
-    return None if best is None else _refined(best, group, skeleton)
-
-
-def _tolerances(size: float) -> list[float]:
-    """Pixels a line may stray, for each round."""
-    return [1.5, max(2.5, 0.006 * size), max(4.0, 0.012 * size), max(6.0, 0.02 * size)]
-
-
-def _sheet(group: Group, skeleton: Skeleton, tolerance: float) -> Sheet:
-    """Small pieces may be letters: explaining them counts for little."""
-    at = skeleton.points.astype(np.intp)
-    weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
-    return skeleton_sheet(skeleton.distance, skeleton.points, weights, tolerance + 1)
-
-
-def _round(group: Group, skeleton: Skeleton, tolerance: float) -> Found | None:
-    pen = group.ink.pen_width
-    strokes = trace_strokes(skeleton, tolerance, group.solid)
-    graph = corner_graph(skeleton, join_ends(strokes, pen), tolerance)
-    sheet = _sheet(group, skeleton, tolerance)
-    best = _best(wire_hypotheses(graph), sheet, None)
-    if best is None or best[1].score < GOOD:
-        regions = caps.enclosed_regions(group.ink.mask, pen, tolerance)
-        best = _best(caps.caps(graph, regions), sheet, best)
-    return None if best is None else Found(best[0], best[1], tolerance)
-
-
-def _best(
-    hypotheses: Iterator[Rings], sheet: Sheet, best: tuple[Rings, Evidence] | None
-) -> tuple[Rings, Evidence] | None:
-    for count, rings in enumerate(hypotheses):
-        if count >= MOST_HYPOTHESES:
-            break
-        evidence = judge(rings, sheet)
-        if best is None or evidence.score > best[1].score:
-            best = rings, evidence
     return best
 
 
-def _refined(found: Found, group: Group, skeleton: Skeleton) -> Found:
-    rings, noise = refine(found.rings, skeleton.points, found.tolerance + 1, found.evidence.drawn)
-    evidence = judge(rings, _sheet(group, skeleton, found.tolerance))
-    if evidence.score < found.evidence.score - 0.02:
-        return found
-    return Found(rings, evidence, found.tolerance, noise)
+def _sheet(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
+    """Small pieces may be letters: explaining them counts for little."""
+    at = skeleton.points.astype(np.intp)
+    weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
+    return skeleton_sheet(skeleton.distance, skeleton.points, weights, reach + 0.5, skeleton.pen_width)
+
+
+def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
+    pen = group.ink.pen_width
+    strokes = trace_strokes(skeleton, tolerant.trace, group.solid)
+    graph = corner_graph(skeleton, join_ends(strokes, pen), tolerant.reach)
+    sheet = _sheet(group, skeleton, tolerant.reach)
+    best = _shortlist(wire_hypotheses(graph), sheet, [])
+    if not best or best[0][1].score < GOOD:
+        regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
+        best = _shortlist(caps.caps(graph, regions, pen), sheet, best)
+        if tolerant.loose and (not best or best[0][1].score < GOOD):
+            best = _shortlist(caps.loose_caps(graph, regions, pen), sheet, best)
+    refined = [_refined(skeleton, rings, evidence, sheet) for rings, evidence in best]
+    return max(refined, key=_merit, default=None)
+
+
+def _merit(found: Found) -> float:
+    """Of two answers that explain the drawing alike, the one with fewer vertices holds."""
+    return found.evidence.score - 0.002 * len(found.rings.vertices) / 2
+
+
+def _shortlist(
+    hypotheses: Iterator[Rings], sheet: Sheet, best: list[tuple[Rings, Evidence]]
+) -> list[tuple[Rings, Evidence]]:
+    """The best few of the hypotheses and those already known; a nearly perfect one ends the search."""
+    judged, seen, perfect = list(best), set(), 0
+    for count, rings in enumerate(hypotheses):
+        if count >= MOST_HYPOTHESES:
+            break
+        key = np.round(rings.vertices / 2).tobytes()
+        if key in seen or not plausible(rings, 1.5 * sheet.pen):
+            continue
+        seen.add(key)
+        evidence = judge(rings, sheet)
+        judged.append((rings, evidence))
+        perfect += evidence.score > PERFECT
+        if perfect >= SHORTLIST:
+            break
+    return sorted(judged, key=lambda j: -j[1].score)[:SHORTLIST]
+
+
+def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
+    """The hypothesis moved to the ink and without needless vertices, judged as strictly as the lines allow."""
+    moved, noise = refine(rings, skeleton.points, sheet.reach, evidence.drawn)
+    if not plausible(moved, 0.0) or judge(moved, sheet).score < evidence.score - 0.01:
+        moved = rings
+    strict = replace(sheet, reach=min(sheet.reach, max(2.0, 3.0 * noise + 0.1 * sheet.pen + 1.0)))
+    simpler, judged = simplified(moved, judge(moved, strict), strict)
+    if len(simpler.vertices) < len(moved.vertices):
+        again, noise = refine(simpler, skeleton.points, sheet.reach, judged.drawn)
+        if plausible(again, 0.0):
+            better = judge(again, strict)
+            if better.score >= judged.score - 0.01:
+                simpler, judged = again, better
+    return Found(simpler, judged, sheet.reach, noise)
+
+
+def simplified(rings: Rings, evidence: Evidence, sheet: Sheet) -> tuple[Rings, Evidence]:
+    """Without the vertices that the drawing does not need: of two answers that explain it, the simpler one holds."""
+    while True:
+        n = sum(len(r) for r in rings.front)
+        # what dropping a true vertex costs goes with its share of the edges
+        slack = 0.15 / n + sheet.pen / sheet.size
+        for fewer in _simpler(rings, 3 * sheet.pen + 0.04 * sheet.size):
+            if plausible(fewer, 0.0):
+                judged = judge(fewer, sheet)
+                if judged.score >= evidence.score - slack:
+                    rings, evidence = fewer, judged
+                    break
+        else:
+            return rings, evidence
+
+
+def _simpler(rings: Rings, short: float) -> Iterator[Rings]:
+    """The rings with a flat vertex dropped, or with an edge that is short in both faces drawn together to a tip."""
+    for k, (front, back) in enumerate(zip(rings.front, rings.back, strict=True)):
+        n = len(front)
+        if n <= 3:
+            continue
+        turns = [_turn(front, i) + _turn(back, i) for i in range(n)]
+        for i in np.argsort(turns)[: sum(t < 2 * FLAT for t in turns)]:
+            yield _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0))
+        for i in range(n):
+            j = (i + 1) % n
+            if np.linalg.norm(front[i] - front[j]) < short and np.linalg.norm(back[i] - back[j]) < short:
+                tips = without_edge(front, i), without_edge(back, i)
+                yield _replaced(rings, k, *tips)
+
+
+def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:
+    """The rings with the k-th pair replaced."""
+    return Rings(
+        tuple(front if j == k else r for j, r in enumerate(rings.front)),
+        tuple(back if j == k else r for j, r in enumerate(rings.back)),
+    )
+
+
+def _turn(ring: Floats, i: int) -> float:
+    """By how much a ring turns at vertex i, radians."""
+    u, v = ring[i] - ring[i - 1], ring[(i + 1) % len(ring)] - ring[i]
+    return abs(float(np.arctan2(u[0] * v[1] - u[1] * v[0], u @ v)))

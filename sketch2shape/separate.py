@@ -48,19 +48,22 @@ class Ladder:
     links: Bools
 
 
-def ladders(graph: CornerGraph, most: int = 24) -> list[Ladder]:
-    """Candidate ladders, the richest first."""
+def ladders(graph: CornerGraph, most: int = 12) -> Iterator[Ladder]:
+    """Candidate ladders: of translations first, then of similarities, then of homologies; each the richest first."""
     rungs = np.argwhere(graph.inked)
     if len(rungs) < 6:
-        return []
+        return
     links = _links(graph, rungs)
-    maps = np.concatenate([_from_one(graph, rungs), _from_two(graph, rungs, links), _from_three(graph, rungs, links)])
-    found: dict[bytes, Ladder] = {}
-    for h in _best_maps(graph, rungs, links, maps, 3 * most):
-        ladder = _close(graph, rungs, links, h)
-        if ladder is not None:
-            found.setdefault(ladder.rungs.tobytes(), ladder)
-    return sorted(found.values(), key=lambda x: -len(x.rungs))[:most]
+    seen: set[bytes] = set()
+    for guess in (_from_one, _from_two, _from_three):
+        maps = guess(graph, rungs, links)
+        found = [_close(graph, rungs, links, h) for h in _best_maps(graph, rungs, links, maps, 2 * most)]
+        rich = sorted((x for x in found if x is not None), key=lambda x: -len(x.rungs))
+        for ladder in rich[:most]:
+            key = ladder.rungs.tobytes()
+            if key not in seen:
+                seen.add(key)
+                yield ladder
 
 
 def _links(graph: CornerGraph, rungs: Ints) -> Bools:
@@ -71,9 +74,10 @@ def _links(graph: CornerGraph, rungs: Ints) -> Bools:
     return np.asarray(links)
 
 
-def _from_one(graph: CornerGraph, rungs: Ints) -> Floats:
-    """A translation for each rung."""
-    return homology.translation(graph.points[rungs[:, 1]] - graph.points[rungs[:, 0]])
+def _from_one(graph: CornerGraph, rungs: Ints, links: Bools) -> Floats:
+    """A translation for each rung that has two neighbours; of a rung and its reverse, one."""
+    some = (links.sum(axis=1) >= 2) & (rungs[:, 0] < rungs[:, 1])
+    return homology.translation(graph.points[rungs[some, 1]] - graph.points[rungs[some, 0]])
 
 
 def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -> Floats:
@@ -85,7 +89,7 @@ def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -
     cross = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
     lu, lv = np.linalg.norm(u, axis=1), np.linalg.norm(v, axis=1)
     slack = 0.03 * lu * lv + 1.5 * graph.tolerance * np.minimum(lu, lv)
-    ok = (cross <= slack) & ((u * v).sum(axis=1) > 0)
+    ok = (cross <= slack) & ((u * v).sum(axis=1) > 0) & (rungs[i, 0] < rungs[i, 1])
     i, j = i[ok][:most], j[ok][:most]
     src = p[np.stack([rungs[i, 0], rungs[j, 0]], axis=1)]
     dst = p[np.stack([rungs[i, 1], rungs[j, 1]], axis=1)]
@@ -94,22 +98,30 @@ def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -
 
 def _from_three(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 6000) -> Floats:
     """A homology for each chain of three linked rungs."""
-    chains = []
-    for j in range(len(rungs)):
-        near = np.flatnonzero(links[j])
-        for x, i in enumerate(near):
-            for k in near[x + 1 :]:
-                if len({*rungs[[i, j, k], 0]}) == 3 and len({*rungs[[i, j, k], 1]}) == 3:
-                    chains.append((i, j, k))
-    if not chains:
+    chain = _chains(rungs, links)
+    if not len(chain):
         return np.zeros((0, 3, 3))
-    chain = np.array(chains)
     src, dst = graph.points[rungs[chain, 0]], graph.points[rungs[chain, 1]]
     ok = (_spread(src) > 3 * graph.tolerance) & (_spread(dst) > 3 * graph.tolerance)
     ok &= _same_turn(src, dst)
     step = max(1, int(ok.sum()) // most)
     src, dst = src[ok][::step], dst[ok][::step]
     return homology.homology(src, dst) if len(src) else np.zeros((0, 3, 3))
+
+
+def _chains(rungs: Ints, links: Bools, widest: int = 12) -> Ints:
+    """(k, 3): rungs in a row, all six corners different but for one that may serve in both faces."""
+    blocks = []
+    for j in np.flatnonzero(rungs[:, 0] < rungs[:, 1]):
+        near = np.flatnonzero(links[j])[:widest]
+        a, b = np.triu_indices(len(near), 1)
+        blocks.append(np.c_[near[a], np.full(len(a), j), near[b]])
+    if not blocks:
+        return np.zeros((0, 3), np.intp)
+    chain = np.concatenate(blocks)
+    ends = rungs[chain]
+    ok = (ends[:, 0] != ends[:, 2]).all(axis=1) & (ends[:, 0] != ends[:, 1]).all(axis=1)
+    return np.asarray(chain[ok & (ends[:, 1] != ends[:, 2]).all(axis=1)])
 
 
 def _turn(t: Floats) -> Floats:
@@ -190,30 +202,32 @@ def _refit(graph: CornerGraph, rungs: Ints, h: Floats) -> Floats:
     return h
 
 
-def cycles(ladder: Ladder, budget: int = 3000) -> Iterator[Ints]:
-    """Simple cycles of rungs, (n,) indices into ladder.rungs, each given once, long ones not first.
+def cycles(ladder: Ladder, budget: int = 4000) -> Iterator[Ints]:
+    """Simple cycles of rungs, (n,) indices into ladder.rungs.
 
-    No corner serves twice in one face; one may serve once in each (coincident vertices).
+    No corner serves twice in one face; one may serve once in each (coincident vertices). The first corners taken are
+    those of rungs with the fewest neighbours, where there is least to choose.
     """
-    links, rungs = ladder.links, ladder.rungs
+    order = np.argsort(ladder.links.sum(axis=1), kind="stable")
+    rank = np.empty(len(order), np.intp)
+    rank[order] = np.arange(len(order))
+    near = [[int(k) for k in np.flatnonzero(row)] for row in ladder.links]
+    taken = [(1 << int(a), 1 << int(b)) for a, b in ladder.rungs]
     steps = 0
-    for start in range(len(rungs)):
-        stack: list[tuple[int, tuple[int, ...]]] = [(start, (start,))]
+    for start in order.tolist():
+        stack = [(start, (start,), *taken[start])]
         while stack:
-            node, path = stack.pop()
+            node, path, front, back = stack.pop()
             steps += 1
             if steps > budget:
                 return
-            for after in np.flatnonzero(links[node]):
+            for after in near[node]:
                 if after == start and len(path) >= 3 and path[1] < path[-1]:
                     yield np.array(path)
-                elif after > start and not _clash(rungs, path, int(after)):
-                    stack.append((int(after), (*path, int(after))))
-
-
-def _clash(rungs: Ints, path: tuple[int, ...], after: int) -> bool:
-    used = rungs[list(path)]
-    return bool((used[:, 0] == rungs[after, 0]).any() or (used[:, 1] == rungs[after, 1]).any())
+                    continue
+                a, b = taken[after]
+                if rank[after] > rank[start] and not front & a and not back & b:
+                    stack.append((after, (*path, after), front | a, back | b))
 
 
 def ring_pair(ladder: Ladder, graph: CornerGraph, cycle: Ints) -> Rings:

@@ -29,11 +29,13 @@ class Group:
     ink    : the group's own ink, with a margin around it
     offset : (2,) float, where its pixel (0, 0) lies on the sheet
     solid  : (h, w) bool, ink of pieces too large to be letters or dashes
+    size   : diagonal of the group's bounding box, pixels
     """
 
     ink: Ink
     offset: Floats
     solid: Bools
+    size: float
 
 
 def split_groups(ink: Ink, most: int = 12) -> list[Group]:
@@ -99,4 +101,5 @@ def _cut(
         replace(ink, mask=mask, strength=strength),
         np.array([x0 - MARGIN, y0 - MARGIN], float),
         np.pad(large[part], pad),
+        size,
     )

@@ -20,6 +20,8 @@ from sketch2shape.model import Bools, Floats, Lines, ring_edges
 
 SAMPLES = 40
 WAY_BACK = 24
+SMALLEST_FACE = 0.03
+"""Least area of the smaller face, as a part of the larger one."""
 
 
 class Rings(NamedTuple):
@@ -66,12 +68,58 @@ class Sheet:
     points   : (k, 2) float, skeleton pixels that must be explained
     weights  : (k,) float, weight of each
     reach    : pixels a drawn line may be away from the predicted one
+    pen      : pen width, pixels
     """
 
     distance: NDArray[np.float32]
     points: Floats
     weights: Floats
     reach: float
+    pen: float
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the ink's bounding box, pixels."""
+        return float(np.linalg.norm(np.ptp(self.points, axis=0))) if len(self.points) else 1.0
+
+
+def plausible(rings: Rings, least: float) -> bool:
+    """Whether the rings could be the faces of an object: simple, alike in size, no edge shorter than least pixels.
+
+    A back face shrunk to almost nothing turns the object into a pyramid, which is none.
+    """
+    if not np.isfinite(rings.vertices).all() or np.abs(rings.vertices).max() > 1e5:
+        return False
+    for front, back in zip(rings.front, rings.back, strict=True):
+        ratio = abs(_area(back)) / max(abs(_area(front)), 1e-9)
+        if not SMALLEST_FACE <= ratio <= 1 / SMALLEST_FACE or _area(front) * _area(back) <= 0:
+            return False
+        if np.linalg.norm(back - front, axis=1).min() < least:
+            return False
+        for ring in (front, back):
+            if np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1).min() < least or not _is_simple(ring):
+                return False
+    return True
+
+
+def _area(ring: Floats) -> float:
+    x, y = ring.T
+    return 0.5 * float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
+
+
+def _is_simple(ring: Floats) -> bool:
+    """No two edges of the ring cross."""
+    a, b = ring, np.roll(ring, -1, axis=0)
+    side_a = _side(a[None], a[:, None], b[:, None])
+    side_b = _side(b[None], a[:, None], b[:, None])
+    apart = side_a * side_b < -1e-9
+    return not bool((apart & apart.T).any())
+
+
+def _side(p: Floats, a: Floats, b: Floats) -> Floats:
+    """On which side of the lines ab the points p lie."""
+    u, v = b - a, p - a
+    return np.asarray(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
 
 
 def edge_samples(rings: Rings, samples: int = SAMPLES) -> tuple[Floats, Floats]:
@@ -85,8 +133,11 @@ def edge_samples(rings: Rings, samples: int = SAMPLES) -> tuple[Floats, Floats]:
     return a + s * (b - a), base_a + s * (base_b - base_a)
 
 
-def hidden_samples(rings: Rings, margin: float) -> Bools:
-    """Which edge samples lie behind the object: (3m, SAMPLES) bool."""
+def hidden_samples(rings: Rings, margin: float) -> tuple[Bools, Bools]:
+    """Which edge samples lie behind the object, surely and perhaps: both (3m, SAMPLES) bool.
+
+    Sure is what lies deeper than margin pixels behind the outline; what is shallower may be a matter of the pen.
+    """
     points, base = edge_samples(rings)
     low = np.floor(np.minimum(points.min(axis=(0, 1)), base.min(axis=(0, 1)))) - 3
     high = np.ceil(np.maximum(points.max(axis=(0, 1)), base.max(axis=(0, 1)))) + 3
@@ -96,26 +147,28 @@ def hidden_samples(rings: Rings, margin: float) -> Bools:
     s = np.linspace(0.0, 1.0, WAY_BACK)[None, None, :, None]
     way = base[:, :, None] + s * (points - base)[:, :, None]
     at = np.clip(((way - low) * factor).round().astype(np.intp), 0, np.array(inside.shape[::-1]) - 1)
-    hidden = inside[at[..., 1], at[..., 0]].any(axis=2)
+    depth = inside[at[..., 1], at[..., 0]].max(axis=2)
     front = np.concatenate([np.repeat([True, False, False], len(r)) for r in rings.front])
-    hidden[front] = False
-    return np.asarray(hidden)
+    depth[front] = 0
+    return depth == 2, depth >= 1
 
 
-def _interior(rings: Rings, low: Floats, high: Floats, factor: float, margin: float) -> Bools:
-    """The front face's interior without a rim of margin pixels, rasterised."""
+def _interior(rings: Rings, low: Floats, high: Floats, factor: float, margin: float) -> NDArray[np.uint8]:
+    """The front face, rasterised: 0 outside, 1 within margin pixels of its outline, 2 deeper inside."""
     w, h = (((high - low) * factor).astype(int) + 1).tolist()
     canvas = np.zeros((h, w), np.uint8)
-    for k, ring in enumerate(rings.front):
-        cv2.fillPoly(canvas, [((ring - low) * factor).round().astype(np.int32)], 0 if k else 1)
+    outlines = [((ring - low) * factor).round().astype(np.int32) for ring in rings.front]
+    for k, outline in enumerate(outlines):
+        cv2.fillPoly(canvas, [outline], 0 if k else 1)
+    deep = canvas.copy()
     rim = max(1, round(margin * factor))
-    for ring in rings.front:
-        cv2.polylines(canvas, [((ring - low) * factor).round().astype(np.int32)], True, 0, 2 * rim + 1)
-    return canvas.astype(bool)
+    cv2.polylines(deep, outlines, True, 0, 2 * rim + 1)
+    cv2.polylines(canvas, outlines, True, 0, 3)
+    return np.asarray(canvas + deep, np.uint8)
 
 
 def judge(rings: Rings, sheet: Sheet) -> Evidence:
-    """Compare a hypothesis with the drawing, under each way hidden lines may have been drawn."""
+    """Compare a hypothesis with the drawing, under the way its hidden lines seem to have been drawn."""
     points, _ = edge_samples(rings)
     h, w = sheet.distance.shape
     x = np.rint(points[..., 0]).astype(np.intp)
@@ -123,12 +176,12 @@ def judge(rings: Rings, sheet: Sheet) -> Evidence:
     outside = (x < 0) | (y < 0) | (x >= w) | (y >= h)
     near = sheet.distance[np.clip(y, 0, h - 1), np.clip(x, 0, w - 1)] <= sheet.reach
     near &= ~outside
-    hidden = hidden_samples(rings, 1.5 * sheet.reach)
+    hidden, perhaps = hidden_samples(rings, 1.5 * sheet.reach)
     v = rings.vertices
     edges = ring_edges([len(r) for r in rings.front])
     lengths = np.linalg.norm(v[edges[:, 1]] - v[edges[:, 0]], axis=1)
     lines = _line_style(near, hidden, lengths)
-    wanted = np.ones_like(hidden) if lines == "wire" else ~_grown(hidden, lengths, 5 * sheet.reach)
+    wanted = np.ones_like(hidden) if lines == "wire" else ~_grown(perhaps, lengths, 5 * sheet.reach)
     support, weakest = _support(near, wanted, lengths)
     if lines == "dashed":
         support = min(support, 0.6 * support + 0.4 * min(1.0, _support(near, hidden, lengths)[0] / 0.45))
@@ -136,7 +189,11 @@ def judge(rings: Rings, sheet: Sheet) -> Evidence:
     explained = _explained(points, shown, sheet)
     score = 2 * support * explained / (support + explained + 1e-9)
     score *= min(1.0, 0.5 + 0.5 * weakest / 0.75)
-    return Evidence(score, support, explained, weakest, lines, _drawn(near, rings, shown))
+    drawn = _drawn(near, rings, shown)
+    if drawn.sum() < 2:
+        # a face alone, with all that would make it an object hidden behind it
+        score *= 0.4
+    return Evidence(score, support, explained, weakest, lines, drawn)
 
 
 def _grown(hidden: Bools, lengths: Floats, margin: float) -> Bools:
@@ -199,17 +256,17 @@ def _drawn(near: Bools, rings: Rings, shown: Bools) -> Bools:
     edges = ring_edges([len(r) for r in rings.front])
     half = sum(len(r) for r in rings.front)
     lit = np.zeros(2 * half, int)
-    first = (near & shown)[:, :8].mean(axis=1) > 0.3
-    last = (near & shown)[:, -8:].mean(axis=1) > 0.3
+    first = (near & shown)[:, :12].mean(axis=1) > 0.3
+    last = (near & shown)[:, -12:].mean(axis=1) > 0.3
     np.add.at(lit, edges[first, 0], 1)
     np.add.at(lit, edges[last, 1], 1)
     return np.asarray(lit[half:] >= 2)
 
 
-def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Floats, reach: float) -> Sheet:
+def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Floats, reach: float, pen: float) -> Sheet:
     """A sheet with at most about 1500 of the skeleton's points, evenly thinned out."""
     step = max(1, len(points) // 1500)
-    return Sheet(distance, points[::step], weights[::step], reach)
+    return Sheet(distance, points[::step], weights[::step], reach, pen)
 
 
 def best_way_round(candidates: Sequence[Rings], sheet: Sheet) -> tuple[Rings, Evidence]:

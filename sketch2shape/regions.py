@@ -1,0 +1,199 @@
+"""Regions: what the ink encloses, as polygons.
+
+A region of a line drawing is one visible face, or a piece of it. Its border is followed and simplified; a thick or
+hurried pen rounds corners and cuts off tips, so sides are fitted as lines and vertices are where these meet, and each
+polygon comes in a few degrees of simplicity: how many vertices it has, only the whole object can tell.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.model import Bools, Floats
+from sketch2shape.strokes import fit_line
+
+
+@dataclass(frozen=True)
+class Region:
+    """A region that the ink encloses.
+
+    outline : (n, 2) float, pixels, its border along the middle of the strokes
+    islands : borders of what lies inside it: holes, letters
+    """
+
+    outline: Floats
+    islands: tuple[Floats, ...] = ()
+
+
+def enclosed_regions(mask: Bools, pen: float, tolerance: float, most: int = 40) -> list[Region]:
+    """Regions that the ink encloses, the largest first.
+
+    mask : (h, w) bool, the ink
+    """
+    grown = cv2.copyMakeBorder(mask.astype(np.uint8), 2, 2, 2, 2, cv2.BORDER_CONSTANT)
+    close = max(1, int(tolerance))
+    if close > 1:
+        grown = cv2.dilate(grown, _disc(close - 1))
+    _, label, stats, _ = cv2.connectedComponentsWithStats(1 - grown, connectivity=4)
+    diagonal = np.hypot(*mask.shape)
+    least = max(3 * pen * pen, 1e-4 * diagonal**2)
+    outside = label[0, 0]
+    order = [k for k in np.argsort(-stats[:, cv2.CC_STAT_AREA]) if k not in (0, outside)]
+    regions = []
+    for k in [k for k in order if stats[k, cv2.CC_STAT_AREA] >= least][:most]:
+        region = _region(label, stats[k], int(k), pen + 2 * (close - 1), tolerance)
+        if region is not None:
+            regions.append(region)
+    return regions
+
+
+def _disc(radius: int) -> NDArray[np.uint8]:
+    return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * radius + 1, 2 * radius + 1)), np.uint8)
+
+
+def _region(label: NDArray[Any], stat: NDArray[Any], k: int, pen: float, tolerance: float) -> Region | None:
+    """One region's polygons, their borders moved to the middle of the strokes, thin intrusions closed."""
+    margin = int(3 * pen) + 4
+    x, y, w, h = (int(v) for v in stat[:4])
+    x0, y0 = max(x - margin, 0), max(y - margin, 0)
+    part = (label[y0 : y + h + margin, x0 : x + w + margin] == k).astype(np.uint8)
+    part = cv2.copyMakeBorder(part, margin, margin, margin, margin, cv2.BORDER_CONSTANT)
+    out, back = max(1, round(1.5 * pen)), max(0, round(1.0 * pen))
+    part = cv2.dilate(part, _disc(out))
+    if back:
+        part = cv2.erode(part, _disc(back))
+    contours, tree = cv2.findContours(part, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    # two pixels of border were added before the regions were labelled
+    shift = np.array([x0 - margin - 2.0, y0 - margin - 2.0])
+    areas = [cv2.contourArea(c) for c in contours]
+    outer = max((i for i in range(len(contours)) if tree[0, i, 3] < 0), key=lambda i: areas[i])
+    inner = [i for i in range(len(contours)) if tree[0, i, 3] == outer and areas[i] > 0.004 * areas[outer]]
+    polygons = [cv2.approxPolyDP(contours[i], tolerance + 0.35 * pen, True)[:, 0] + shift for i in [outer, *inner[:8]]]
+    if not 3 <= len(polygons[0]) <= 64:
+        return None
+    return Region(polygons[0], tuple(p for p in polygons[1:] if 3 <= len(p) <= 64))
+
+
+def _polygon(contour: NDArray[Any], tolerance: float, pen: float) -> Floats:
+    """A closed contour's sides, and its vertices where the lines of neighbouring sides meet.
+
+    Thick ink rounds the inside of a corner and cuts off the tip of a sharp one; the sides still point to it.
+    """
+    bends = cv2.approxPolyDP(contour[:, None], tolerance, True)[:, 0]
+    n = len(bends)
+    if n < 3:
+        return bends.astype(float)
+    at = np.sort([int(np.flatnonzero((contour == b).all(axis=1))[0]) for b in bends])
+    loop = np.concatenate([contour, contour]).astype(float)
+    lines = []
+    for a, b in zip(at, [*at[1:], at[0] + len(contour)], strict=True):
+        cut = min(int(pen), (b - a) // 4)
+        lines.append(fit_line(loop[a + cut : b + 1 - cut]) if b - a >= 4 else (loop[a], loop[b] - loop[a]))
+    corners = contour[at].astype(float)
+    long = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1) > 2.0 * pen
+    vertices = corners.copy()
+    for k in range(n):
+        if long[k] and long[k - 1]:
+            tip = _meet(lines[k - 1], lines[k])
+            if tip is not None and np.linalg.norm(tip - corners[k]) < 6 * pen:
+                vertices[k] = tip
+    return vertices
+
+
+def _meet(a: tuple[Floats, Floats], b: tuple[Floats, Floats]) -> Floats | None:
+    """Intersection of two lines (point, direction), unless they are nearly parallel."""
+    (p, u), (q, v) = a, b
+    det = float(u[0] * v[1] - u[1] * v[0])
+    if abs(det) < 0.12 * float(np.linalg.norm(u) * np.linalg.norm(v)):
+        return None
+    w = q - p
+    return np.asarray(p + u * float(w[0] * v[1] - w[1] * v[0]) / det)
+
+
+def sharpened(polygon: Floats, short: float) -> Floats:
+    """The polygon with rounded corners made sharp: its short edges give way to where their neighbours' lines meet."""
+    while len(polygon) > 3:
+        after = np.roll(polygon, -1, axis=0)
+        length = np.linalg.norm(after - polygon, axis=1)
+        for k in np.argsort(length):
+            if length[k] >= short:
+                return polygon
+            tip = _tip(polygon, int(k), 2.5 * short)
+            if tip is not None:
+                polygon = polygon.copy()
+                polygon[k] = tip
+                polygon = np.delete(polygon, (k + 1) % len(polygon), axis=0)
+                break
+        else:
+            return polygon
+    return polygon
+
+
+def _tip(polygon: Floats, k: int, far: float) -> Floats | None:
+    """Where the edges before and after edge k meet, if they do so beyond it and not too far away."""
+    n = len(polygon)
+    a, b, c, d = polygon[k - 1], polygon[k], polygon[(k + 1) % n], polygon[(k + 2) % n]
+    u, v = b - a, c - d
+    tip = _meet((a, u), (d, v))
+    if tip is None:
+        return (b + c) / 2 if np.linalg.norm(c - b) < 0.3 * far else None
+    beyond = (tip - b) @ u >= 0 and (tip - c) @ v >= 0
+    return np.asarray(tip) if beyond and np.linalg.norm(tip - (b + c) / 2) <= far else None
+
+
+def reductions(polygon: Floats, worst: float = 0.1) -> list[Floats]:
+    """The polygon with ever fewer vertices, the full one first, as long as little of its area is given or taken.
+
+    Each step drops the vertex, or replaces the edge by the point where its neighbours meet, that costs least.
+    worst : part of the area that may be lost or added in all
+    """
+    total = float(cv2.contourArea(polygon.astype(np.float32)))
+    found, spent = [polygon], 0.0
+    while len(polygon) > 3:
+        cost, simpler = min((_without_edge(polygon, k) for k in range(len(polygon))), key=lambda c: c[0])
+        other, dropped = min((_without_vertex(polygon, k) for k in range(len(polygon))), key=lambda c: c[0])
+        if other <= cost:
+            cost, simpler = other, dropped
+        spent += cost
+        if spent > worst * total:
+            break
+        polygon = simpler
+        found.append(polygon)
+    return found
+
+
+def _without_vertex(polygon: Floats, k: int) -> tuple[float, Floats]:
+    n = len(polygon)
+    return _triangle(polygon[k - 1], polygon[k], polygon[(k + 1) % n]), np.delete(polygon, k, axis=0)
+
+
+def _without_edge(polygon: Floats, k: int) -> tuple[float, Floats]:
+    n = len(polygon)
+    b, c = polygon[k], polygon[(k + 1) % n]
+    tip = _tip(polygon, k, 2.5 * float(np.linalg.norm(c - b)) + 4.0)
+    if tip is None:
+        return np.inf, polygon
+    return _triangle(b, tip, c), _collapsed(polygon, k, tip)
+
+
+def without_edge(polygon: Floats, k: int) -> Floats:
+    """The polygon with its k-th edge drawn together to where its neighbours meet, or to its middle."""
+    b, c = polygon[k], polygon[(k + 1) % len(polygon)]
+    tip = _tip(polygon, k, 2.5 * float(np.linalg.norm(c - b)) + 4.0)
+    return _collapsed(polygon, k, (b + c) / 2 if tip is None else tip)
+
+
+def _collapsed(polygon: Floats, k: int, tip: Floats) -> Floats:
+    fewer = polygon.copy()
+    fewer[k] = tip
+    return np.delete(fewer, (k + 1) % len(polygon), axis=0)
+
+
+def _triangle(a: Floats, b: Floats, c: Floats) -> float:
+    u, v = b - a, c - a
+    return 0.5 * abs(float(u[0] * v[1] - u[1] * v[0]))
