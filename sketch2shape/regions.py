@@ -95,12 +95,13 @@ def _polygon(contour: NDArray[Any], tolerance: float, pen: float) -> Floats:
         cut = min(int(pen), (b - a) // 4)
         lines.append(fit_line(loop[a + cut : b + 1 - cut]) if b - a >= 4 else (loop[a], loop[b] - loop[a]))
     corners = contour[at].astype(float)
-    long = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1) > 2.0 * pen
+    side = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    long = side > 2.0 * pen
     vertices = corners.copy()
     for k in range(n):
         if long[k] and long[k - 1]:
             tip = _meet(lines[k - 1], lines[k])
-            if tip is not None and np.linalg.norm(tip - corners[k]) < 6 * pen:
+            if tip is not None and np.linalg.norm(tip - corners[k]) < min(12 * pen, 0.4 * min(side[k], side[k - 1])):
                 vertices[k] = tip
     return vertices
 

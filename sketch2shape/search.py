@@ -20,7 +20,7 @@ from sketch2shape.refine import refine
 from sketch2shape.regions import enclosed_regions, without_edge
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, coverage, thin, trace_strokes
-from sketch2shape.verify import Evidence, Rings, Sheet, judge, plausible, skeleton_sheet
+from sketch2shape.verify import Evidence, Rings, Sheet, front_support, judge, plausible, skeleton_sheet
 
 GOOD = 0.975
 PERFECT = 0.995
@@ -193,7 +193,7 @@ def _shortlist(
         if count >= MOST_HYPOTHESES:
             break
         key = np.round(rings.vertices / 2).tobytes()
-        if key in seen or not plausible(rings, 1.5 * sheet.pen):
+        if key in seen or not plausible(rings, 1.5 * sheet.pen) or front_support(rings, sheet) < 0.7:
             continue
         seen.add(key)
         evidence = judge(rings, sheet)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Lines, ring_edges
+from sketch2shape.strokes import coverage
 
 SAMPLES = 40
 WAY_BACK = 24
@@ -131,6 +132,14 @@ def edge_samples(rings: Rings, samples: int = SAMPLES) -> tuple[Floats, Floats]:
     a, b = v[edges[:, 0], None], v[edges[:, 1], None]
     base_a, base_b = v[edges[:, 0] % half, None], v[edges[:, 1] % half, None]
     return a + s * (b - a), base_a + s * (base_b - base_a)
+
+
+def front_support(rings: Rings, sheet: Sheet) -> float:
+    """Part of the front face's outline that has ink: a quick first check, as the front is always seen."""
+    a = np.concatenate(rings.front)
+    b = np.concatenate([np.roll(r, -1, axis=0) for r in rings.front])
+    length = np.linalg.norm(b - a, axis=1)
+    return float(coverage(sheet.distance, a, b, sheet.reach, 24) @ length / (length.sum() + 1e-9))
 
 
 def hidden_samples(rings: Rings, margin: float) -> tuple[Bools, Bools]:
