@@ -88,7 +88,7 @@ def serve(
     config = uvicorn.Config(
         app,
         access_log=False,
-        log_level="warning",
+        log_level="critical",  # what goes wrong is said on the page; a visitor who hangs up is no news
         server_header=False,
         ws="none",
         http="h11",
