@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from sketch2shape.lift.homology import relate_faces
-from sketch2shape.lift.projection import Drawing
+from sketch2shape.lift.projection import CONVERGENCE, Drawing
 from sketch2shape.lift.regularity import between, log_odds
 from sketch2shape.model import Floats, Ints
 
@@ -21,6 +21,15 @@ _PARALLEL = 0.02
 
 #: log odds by which other sides must look truer than f1 to be taken as the true ones
 _SIDEWAYS = 1.0
+
+#: a relation fits if its residual is within this many standard deviations of the noise
+_FITS = 2.0
+
+#: faces whose sizes differ by more than this are not equally far
+_SMALLER = 0.05
+
+#: edges drawn steeper than this, degrees, are upright
+_PLUMB = 80.0
 
 #: the vertices, numbered f1 then f2, of the other two pairs
 _PAIRS = (
@@ -47,46 +56,90 @@ def other_pairs(drawing: Drawing) -> list[tuple[Drawing, Ints]]:
     return found
 
 
+def simplest_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
+    """The pair of sides that are parallel in space, by the simplest relation between them; None for the pair as given.
+
+    In a prism over a trapezoid or a wedge, two of the pairs are not parallel; in a frustum over a square only one is.
+    """
+    pairs: list[tuple[Drawing, Ints | None]] = [(drawing, None), *other_pairs(drawing)]
+    # a pair that is a mere guess must fit to within the noise; the one given may be drawn by a shaky hand
+    slack = [max(_FITS * drawing.noise, CONVERGENCE * drawing.diagonal)] + [_FITS * drawing.noise] * 2
+    ranks = [_unlikely(pair, limit) for (pair, _), limit in zip(pairs, slack, strict=False)]
+    return pairs[ranks.index(min(ranks))]
+
+
+def _unlikely(drawing: Drawing, limit: float) -> float:
+    """Rank of a pair: faces alike, faces similar, connecting lines that meet, none of these; limit in pixels."""
+    r = drawing.relation
+    fits = (r.translation_rms <= limit, r.homothety_rms <= limit and r.scale > 0.0, r.centre_rms <= limit)
+    return float(fits.index(True)) if any(fits) else 3.0 + r.centre_rms
+
+
+def is_box_like(drawing: Drawing) -> bool:
+    """Is it a prism over a parallelogram, drawn without convergence?"""
+    if drawing.sizes != [4]:
+        return False
+    p = drawing.first
+    skew = np.hypot(*(p[0] - p[1] + p[2] - p[3]))
+    size = np.hypot(*(p[1] - p[0])) + np.hypot(*(p[3] - p[0]))
+    return bool(skew <= max(4.0 * drawing.noise, _PARALLEL * size))
+
+
 def true_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
     """The pair of sides that an oblique drawing would show in true shape, and its numbers; None for the pair as given.
 
-    Of a box's three directions of edges, the two drawn at right angles, best level and upright, span the true face.
-    Only an object whose face is a parallelogram has other pairs.
+    Of the three directions of edges the two drawn at right angles, best level and upright, span the true face; what
+    recedes is drawn at 30, 45 or 60 degrees, never level or upright.
     """
-    first, noise = drawing.first, drawing.noise
-    if drawing.sizes != [4]:
-        return drawing, None
-    a, b = first[1] - first[0], first[3] - first[0]
-    skew = np.hypot(*(first[0] - first[1] + first[2] - first[3]))
-    if skew > max(4.0 * noise, _PARALLEL * (np.hypot(*a) + np.hypot(*b))):
-        return drawing, None
-    a, b, d = a + 0.5 * (first[2] - first[3] - a), b + 0.5 * (first[2] - first[1] - b), drawing.relation.d
-    own, *sides = (_square_odds(u, v, noise) for u, v in ((a, b), (a, d), (b, d)))
-    best = int(np.argmax(sides))
-    if sides[best] < max(own + _SIDEWAYS, 0.0):
-        return drawing, None
-    return other_pairs(drawing)[best]
+    a, b, d = _directions(drawing)
+    own, *others = (_truth_odds(*uvw, drawing.noise) for uvw in ((a, b, d), (a, d, b), (b, d, a)))
+    best = int(np.argmax(others))
+    return other_pairs(drawing)[best] if others[best] > own + _SIDEWAYS else (drawing, None)
 
 
-def _square_odds(u: Floats, v: Floats, noise: float) -> float:
-    """Log odds that two drawn edges span a face in true shape: at right angles, level or upright."""
-    angle = np.arctan2([u[1], v[1]], [u[0], v[0]])
-    spread = np.hypot(noise / np.hypot([u[0], v[0]], [u[1], v[1]]), np.deg2rad(0.3))
-    square = log_odds(between(angle[:1], angle[1:]) - np.pi / 2, np.hypot(*spread)[None], 0.8, np.pi / 2)
-    off = np.minimum(between(angle, np.zeros(2)), between(angle, np.full(2, np.pi / 2)))
-    level = log_odds(off, np.hypot(spread, np.deg2rad(1.0)), 0.6, np.pi / 4)
-    return float(square[0] + level.sum())
+def standing_pairs(drawing: Drawing) -> list[int]:
+    """Which pairs of sides an orthographic view may be about: 0 the pair as given, 1 and 2 those of `other_pairs`.
+
+    Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level;
+    drawn, a level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.
+    """
+    rise = np.rad2deg([np.arctan2(abs(e[1]), abs(e[0])) for e in _directions(drawing)])
+    if rise[2] > _PLUMB or rise[2] < max(rise[:2]) + 3.0:
+        return [0]
+    return [1, 2]
+
+
+def _directions(drawing: Drawing) -> tuple[Floats, Floats, Floats]:
+    """The two edges of the face and the connecting vector, pixels."""
+    p = 0.5 * (drawing.first + drawing.second)
+    return 0.5 * (p[1] - p[0] + p[2] - p[3]), 0.5 * (p[3] - p[0] + p[2] - p[1]), drawing.relation.d
+
+
+def _truth_odds(u: Floats, v: Floats, back: Floats, noise: float) -> float:
+    """Log odds that edges u and v span a face in true shape while the third recedes."""
+    angle = np.arctan2([u[1], v[1], back[1]], [u[0], v[0], back[0]])
+    spread = np.hypot(noise / np.hypot([u[0], v[0], back[0]], [u[1], v[1], back[1]]), np.deg2rad(0.3))
+    square = log_odds(between(angle[:1], angle[1:2]) - np.pi / 2, np.hypot(*spread[:2])[None], 0.8, np.pi / 2)
+    rise = between(angle, np.zeros(3))
+    off = np.minimum(rise, np.pi / 2 - rise)
+    level = log_odds(off[:2], np.hypot(spread[:2], np.deg2rad(1.0)), 0.6, np.pi / 4)
+    usual = np.abs(rise[2] - np.deg2rad([30.0, 45.0, 60.0])).min(keepdims=True)
+    receding = log_odds(usual, np.hypot(spread[2:], np.deg2rad(0.5)), 0.5, np.pi / 4)
+    steep = 3.0 if off[2] < np.deg2rad(2.0) else 0.0
+    return float(square[0] + level.sum() + receding[0] - steep)
 
 
 def receding(pair: Drawing, d: Floats) -> tuple[Drawing, bool]:
     """The pair with the face in front that is nearer, d being the connecting vector of the old pair; was it swapped?
 
-    If f1 is known to be the visible cap the box recedes against d, as a face is only seen from outside; else it is
-    seen from above, so what recedes rises.
+    The smaller one is farther. If they are alike: if f1 is known to be the visible cap the box recedes against d, as
+    a face is only seen from outside; else it is seen from above, so what recedes rises.
     """
-    back = pair.relation.d
+    back, scale = pair.relation.d, pair.relation.scale
     along = float(back @ d)
-    if pair.hidden and abs(along) > 0.05 * np.hypot(*back) * np.hypot(*d):
+    if abs(scale - 1.0) > _SMALLER:
+        away = scale < 1.0
+    elif pair.hidden and abs(along) > 0.05 * np.hypot(*back) * np.hypot(*d):
         away = along < 0
     else:
         away = back[1] < 0 if abs(back[1]) > 1e-9 else back[0] > 0

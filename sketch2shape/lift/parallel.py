@@ -55,12 +55,12 @@ def axonometric_maps(slants: Floats, d: Floats) -> Floats:
     return np.eye(2) + (1.0 / np.cos(slants) - 1.0)[:, None, None] * along
 
 
-def read_axonometric(face: Floats, sizes: list[int], d: Floats, noise: float) -> ParallelReading:
+def read_axonometric(face: Floats, d: Floats, sizes: list[int], noise: float) -> ParallelReading:
     """The best slant for a face drawn in an orthographic view, with the odds of there being one.
 
     face  : (m, 2) pixels, all rings
-    sizes : vertices of each ring
     d     : (2,) connecting vector, pixels
+    sizes : vertices of each ring
     noise : standard deviation of a drawn vertex, pixels
     """
     relations = find_relations(face, sizes, face, noise)

@@ -17,7 +17,7 @@ Kind = Literal["parallel", "scaled", "converging"]
 _LEAST_NOISE = 0.3
 
 #: two faces closer to a translation than this part of the object's size are a translation, whatever their noise
-_CONVERGENCE = 0.008
+CONVERGENCE = 0.008
 
 #: how many times its own residual a simpler family may miss before the wider one is taken
 _SIGNIFICANT = 2.0
@@ -69,7 +69,7 @@ def prepare(obj: TwoFaceObject) -> Drawing:
 def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:
     """Are the faces related by a translation, a homothety or a general homology; with the residuals as evidence."""
     r = drawing.relation
-    allowed = max(_SIGNIFICANT * drawing.noise, _CONVERGENCE * drawing.diagonal)
+    allowed = max(_SIGNIFICANT * drawing.noise, CONVERGENCE * drawing.diagonal)
     evidence = {
         "translation_rms_px": round(r.translation_rms, 3),
         "homothety_rms_px": round(r.homothety_rms, 3),
@@ -78,6 +78,6 @@ def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:
     }
     if r.translation_rms <= allowed or r.translation_rms <= _SIGNIFICANT * min(r.homothety_rms, r.centre_rms):
         return "parallel", evidence
-    if r.homothety_rms <= max(_SIGNIFICANT * drawing.noise, 0.4 * _CONVERGENCE * drawing.diagonal) and r.scale > 0:
+    if r.homothety_rms <= max(_SIGNIFICANT * drawing.noise, _SIGNIFICANT * r.centre_rms) and r.scale > 0:
         return "scaled", evidence
     return "converging", evidence

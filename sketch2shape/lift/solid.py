@@ -8,7 +8,7 @@ import numpy as np
 
 from sketch2shape.errors import PointsError
 from sketch2shape.lift.beautify import beautified
-from sketch2shape.lift.box import other_pairs, receding, true_pair
+from sketch2shape.lift.box import is_box_like, other_pairs, receding, simplest_pair, standing_pairs, true_pair
 from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
@@ -17,7 +17,7 @@ from sketch2shape.lift.parallel import axonometric_shape, oblique_shape, read_ax
 from sketch2shape.lift.perspective import facing_shape, perspective_shape
 from sketch2shape.lift.projection import Drawing, kind_of, prepare
 from sketch2shape.lift.shape import Shape
-from sketch2shape.model import Floats, Projection, Solid, TwoFaceObject
+from sketch2shape.model import Floats, Ints, Projection, Solid, TwoFaceObject
 
 #: a connecting vector shorter than this part of the object's size says nothing about the depth
 _FLAT = 0.01
@@ -69,6 +69,16 @@ def _read(drawing: Drawing, options: LiftOptions) -> Shape:
     problem = _degenerate(drawing)
     if problem:
         return _default(drawing, options, problem)
+    pair, order = simplest_pair(drawing)
+    if order is not None:
+        pair, order = _front_first(pair, order, drawing.relation.d)
+        shape = _by_kind(pair, options)
+        return replace(shape, order=order if shape.order is None else order[shape.order])
+    return _by_kind(drawing, options)
+
+
+def _by_kind(drawing: Drawing, options: LiftOptions) -> Shape:
+    """The shape of a drawing whose faces are the ones meant."""
     kind, evidence = kind_of(drawing)
     shape: Shape | None = None
     if kind == "converging" and options.projection in ("auto", "perspective"):
@@ -87,33 +97,38 @@ def _read(drawing: Drawing, options: LiftOptions) -> Shape:
 
 def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     """Oblique or axonometric, whichever is more likely; a frustum if `taper` is not 1."""
-    face, d = _mean_face(drawing, taper)
-    noise, sizes = drawing.noise, drawing.sizes
-    pair, order = true_pair(drawing) if taper == 1.0 else (drawing, None)
-    flat = read_oblique(*_mean_face(pair, taper), sizes=sizes, noise=noise)
-    slanted = read_axonometric(face, sizes, d, noise)
-    odds = flat.odds - slanted.odds
-    evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2)}
+    sizes, noise = drawing.sizes, drawing.noise
+    box = taper == 1.0 and is_box_like(drawing)
+    true, true_order = true_pair(drawing) if box else (drawing, None)
+    flat = read_oblique(*_mean_face(true, taper), sizes=sizes, noise=noise)
+    views = [(drawing, None), *(other_pairs(drawing) if box else [])]
+    readings = [read_axonometric(*_mean_face(pair, taper), sizes=sizes, noise=noise) for pair, _ in views]
+    standing = standing_pairs(drawing) if box else [0]
+    likeliest = max(standing, key=lambda k: readings[k].odds)
+    odds = flat.odds - max(r.odds for r in readings)
     oblique = odds >= 0 if options.projection not in ("oblique", "axonometric") else options.projection == "oblique"
-    if not oblique:
-        shape = axonometric_shape(face, sizes, d, slanted.slant)
-    elif order is None:
+    pair, order = (true, true_order) if oblique else views[likeliest]
+    if order is not None:
+        pair, order = _front_first(pair, order, drawing.relation.d)
+    face, d = _mean_face(pair, taper)
+    if oblique:
         shape = oblique_shape(face, sizes, d, options.depth_ratio)
     else:
-        pair, swapped = receding(pair, d)
-        order = np.roll(order, 4) if swapped else order
-        side_face, back = _mean_face(pair, 1.0)
-        shape = oblique_shape(side_face, sizes, back, options.depth_ratio)
-        shape = replace(shape, order=order)
-    return replace(shape, taper=taper, evidence={**evidence, **shape.evidence})
+        shape = axonometric_shape(face, sizes, d, readings[likeliest].slant)
+    evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2), **shape.evidence}
+    return replace(shape, taper=taper, order=order, evidence=evidence)
+
+
+def _front_first(pair: Drawing, order: Ints, d: Floats) -> tuple[Drawing, Ints]:
+    """Another pair of a box's sides with the nearer one in front; d is the connecting vector of the pair as given."""
+    chosen, swapped = receding(pair, d)
+    return chosen, np.roll(order, 4) if swapped else order
 
 
 def _converging(drawing: Drawing) -> Shape | None:
-    """A prism in perspective. A box is read by the pair of sides that faces the viewer, else by the likeliest one."""
+    """A prism in perspective; a box by the likeliest pair of its sides."""
     readings = [(perspective_shape(drawing), np.arange(2 * len(drawing.first)))]
     for pair, order in other_pairs(drawing):
-        if kind_of(pair)[0] == "scaled":
-            return replace(facing_shape(pair), order=order)
         readings.append((perspective_shape(pair), order))
     likely = [(shape, order) for shape, order in readings if shape is not None]
     if not likely:
