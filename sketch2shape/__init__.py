@@ -22,7 +22,7 @@ _PUBLIC = {
     "find_ink": "ink",
     "trace_strokes": "tracing",
     "detect_corners": "detectors",
-    "separate_faces": "separate",
+    "separate_faces": "faces",
     "connect": "connect",
     "connect_faces": "connect",
     "lift": "lift",

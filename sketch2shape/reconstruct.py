@@ -5,10 +5,12 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from sketch2shape.errors import NoObjectError
-from sketch2shape.model import FacePair, Ink, TwoFaceObject
+from sketch2shape.faces import as_object
+from sketch2shape.model import Ink, TwoFaceObject
 from sketch2shape.ordering import check_connector, connector_of
 from sketch2shape.result import Result
 from sketch2shape.search import Found, find_all
@@ -78,21 +80,13 @@ def _timed(timings: dict[str, float], stage: str) -> Iterator[None]:
 
 
 def _as_object(found: Found, ink: Ink, connector: str) -> TwoFaceObject:
-    """In picture pixels; the centre of a working pixel is the centre of the picture pixels it stands for."""
-    pairs = [
-        FacePair((a + 0.5) / ink.scale - 0.5, (b + 0.5) / ink.scale - 0.5)
-        for a, b in zip(found.rings.front, found.rings.back, strict=True)
-    ]
-    return TwoFaceObject(
-        pairs[0].f1,
-        pairs[0].f2,
-        tuple(pairs[1:]),
+    """In picture pixels, with the connector that gives each face the order that the ink shows."""
+    obj = as_object(found.rings, found.evidence, ink)
+    return replace(
+        obj,
         confidence=found.confidence,
-        lines=found.evidence.lines,
-        f2_drawn=found.evidence.drawn,
-        connectors=(connector_of(pairs[0].f1, connector), connector_of(pairs[0].f2, connector)),
+        connectors=(connector_of(obj.f1, connector), connector_of(obj.f2, connector)),
         noise=found.noise / ink.scale,
-        page=ink.page,
     )
 
 

@@ -3,12 +3,17 @@
 import cv2
 import numpy as np
 
-from sketch2shape.model import ring_edges
+from sketch2shape.ink import find_ink
+from sketch2shape.model import Picture, ring_edges
 
 SQUARE = np.array([[120.0, 140], [270, 140], [270, 290], [120, 290]])
 L_SHAPE = np.array([[90.0, 120], [210, 120], [210, 190], [150, 190], [150, 300], [90, 300]])
 HEXAGON = np.array([200.0, 200]) + 90 * np.array([[np.cos(t), np.sin(t)] for t in np.arange(6) * np.pi / 3 + 0.2])
 DEPTH = np.array([90.0, -60])
+
+
+def ink_of(picture):
+    return find_ink(Picture(cv2.cvtColor(picture, cv2.COLOR_GRAY2RGB)))
 
 
 def paper(height=400, width=480):
