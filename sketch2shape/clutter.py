@@ -18,12 +18,14 @@ from sketch2shape.pen import rough_pen_width
 
 Gray = NDArray[np.uint8]
 
-SMALL = 0.12
+SMALL = 0.14
 """Components up to this share of the largest one's diagonal are looked at."""
-LETTER = 0.09
+LETTER = 0.11
 """Letters and lone dashes above this share are kept: they may be a small hole or a short edge."""
 FAINT = 0.4
 """Short components with less than this share of the usual contrast are noise."""
+HOLLOW = 0.62
+"""A ring has ink on less than this share of the area within its outline."""
 MOST = 700
 """Small components that are compared with each other, the largest first; further ones are specks."""
 
@@ -70,7 +72,7 @@ def without_clutter(mask: Bools, contrast: Gray, *, noisy: bool = False) -> Bool
     noisy    : short pale components are noise
     returns  : (h, w), the same array where there is nothing to take away
     """
-    count, labels, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
+    count, found, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
         mask.astype(np.uint8), 8, cv2.CV_32S, cv2.CCL_GRANA
     )
     if count < 3:
@@ -82,16 +84,17 @@ def without_clutter(mask: Bools, contrast: Gray, *, noisy: bool = False) -> Bool
     small[0] = False
     if not small.any():
         return mask
+    labels = np.asarray(found, dtype=np.int32)
     chosen = np.flatnonzero(small)
     chosen = chosen[np.argsort(-stats[chosen, cv2.CC_STAT_AREA], kind="stable")[:MOST]]
     large = np.asarray(mask & ~small[labels])
     pen_width = rough_pen_width(large)
-    parts = _measure(np.asarray(labels, dtype=np.int32), chosen, contrast)
+    parts = _measure(labels, chosen, contrast)
     if noisy:
         usual = float(np.percentile(contrast[large], 75))
         parts = parts.only((parts.peak > FAINT * usual) | (parts.length > 2.5 * pen_width))
     keep = ~small
-    keep[parts.labels] = _belongs(parts, large, pen_width, LETTER * largest, noisy)
+    keep[parts.labels] = _belongs(parts, labels, large, pen_width, LETTER * largest, noisy)
     keep[0] = False
     return np.asarray(keep[labels], dtype=np.bool_)
 
@@ -125,7 +128,9 @@ def _measure(labels: NDArray[np.int32], chosen: Ints, contrast: Gray) -> Parts:
     )
 
 
-def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float, noisy: bool) -> Bools:
+def _belongs(
+    parts: Parts, labels: NDArray[np.int32], large: Bools, pen_width: float, letter: float, noisy: bool
+) -> Bools:
     """(n,) whether each small component is part of a line or too large to be a letter."""
     dash = parts.are_dashes(pen_width)
     near_large = cv2.dilate(large.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
@@ -137,14 +142,54 @@ def _belongs(parts: Parts, large: Bools, pen_width: float, letter: float, noisy:
     long = parts.length > 4.0 * np.maximum(parts.width, pen_width)
     linked = dash & (paired | between | (long & (met[0] | met[1])))
     pointed_at = (ahead & linked[:, None]).sum(axis=0)
-    dot = (parts.length < 3.0 * pen_width + 2.0) & (parts.area > 0.15 * pen_width**2)
+    full = parts.area > 0.7 * parts.length * parts.width  # an o or n is not
+    dot = full & (parts.length < 3.0 * pen_width + 2.0) & (parts.area > 0.15 * pen_width**2)
     in_row = _in_row(parts, dot, near_large, pen_width)
     if np.count_nonzero(in_row & dot) > 0.5 * np.count_nonzero(dot):
         in_row |= dot & (not noisy)  # dotted lines on clean paper: the other dots are theirs too
-    large_enough = np.hypot(parts.length, parts.width) > letter
+    pointed = (pointed_at >= 2) | ((dot | parts.is_disc) & (pointed_at >= 1))
+    joined = (linked | pointed) & ~_in_words(parts, dash | dot | pointed)
+    rings = _rings(parts, labels, large, 0.5 * letter)
     return np.asarray(
-        linked | (pointed_at >= 2) | ((dot | parts.is_disc) & (pointed_at >= 1)) | in_row | large_enough, dtype=np.bool_
+        joined | in_row | rings | _vertex_dots(parts, pen_width) | (parts.length > letter), dtype=np.bool_
     )
+
+
+def _in_words(parts: Parts, plain: Bools) -> Bools:
+    """(n,) at least two letters of like size stand close by; `plain` ones are no letters, but may be in a word."""
+    offset = parts.centre[None, :, :] - parts.centre[:, None, :]
+    near = np.hypot(offset[..., 0], offset[..., 1]) < 2.2 * parts.length[:, None]
+    alike = np.abs(np.log(parts.length[None, :] / parts.length[:, None])) < 0.6
+    letters = near & alike & ~plain[None, :] & ~parts.is_disc[None, :]
+    np.fill_diagonal(letters, False)
+    return np.asarray(letters.sum(axis=1) >= 2, dtype=np.bool_)
+
+
+def _rings(parts: Parts, labels: NDArray[np.int32], large: Bools, least: float) -> Bools:
+    """(n,) a closed outline within the drawing that is mostly hollow: a small hole, though an O or D passes for one."""
+    result = np.zeros(len(parts.area), dtype=np.bool_)
+    candidates = np.flatnonzero((parts.length > least) & (parts.area < 0.5 * parts.length * parts.width))
+    if len(candidates) == 0:
+        return result
+    hull = cv2.convexHull(cv2.findNonZero(large.astype(np.uint8)))
+    for i in candidates:
+        x, y = parts.centre[i]
+        if cv2.pointPolygonTest(hull, (float(x), float(y)), False) <= 0:
+            continue
+        reach = int(parts.length[i])
+        top, left = max(0, int(y) - reach), max(0, int(x) - reach)
+        part = np.asarray(labels[top : int(y) + reach + 1, left : int(x) + reach + 1] == parts.labels[i], np.uint8)
+        contours, _ = cv2.findContours(part, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        filled = np.count_nonzero(cv2.drawContours(np.zeros_like(part), contours, -1, 1, cv2.FILLED))
+        result[i] = parts.area[i] < HOLLOW * filled
+    return result
+
+
+def _vertex_dots(parts: Parts, pen_width: float) -> Bools:
+    """(n,) one of at least four equal discs, clearly wider than the pen."""
+    disc = parts.is_disc & (parts.width > 2.5 * pen_width)
+    equal = np.abs(np.log(parts.area[None, :] / parts.area[:, None])) < 0.4
+    return np.asarray(disc & ((equal & disc[None, :]).sum(axis=1) >= 4), dtype=np.bool_)
 
 
 def _ahead(parts: Parts, dash: Bools, pen_width: float, sign: float) -> Bools:

@@ -63,3 +63,18 @@ def test_input_is_not_changed() -> None:
     before = mask.copy()
     without_clutter(mask, frame() * 255)
     assert np.array_equal(mask, before)
+
+
+def test_a_word_goes_and_a_small_hole_stays() -> None:
+    image = frame()
+    cv2.putText(image, "front", (10, 285), cv2.FONT_HERSHEY_SIMPLEX, 0.6, 1, 1)
+    hole = cv2.polylines(np.zeros_like(image), [np.array([[190, 140], [212, 142], [208, 158], [188, 156]])], True, 1, 2)
+    kept = without_clutter((image | hole) > 0, (image | hole) * 255)
+    assert np.array_equal(kept, (frame() | hole) > 0)
+
+
+def test_dots_at_vertices_stay() -> None:
+    image = frame()
+    for x, y in ((45, 40), (355, 40), (355, 260), (45, 260)):
+        cv2.circle(image, (x, y), 6, 1, -1)
+    assert np.array_equal(without_clutter(image > 0, image * 255), image > 0)
