@@ -251,6 +251,17 @@ def star_shaped(rng: Random) -> Ring:
     return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
 
 
+def blob(rng: Random) -> Ring:
+    """Radii at angles that are wholly random, in any order of size; no angle between neighbours above 150 degrees."""
+    n = int(rng.integers(5, 10))
+    while True:
+        angle = np.sort(rng.uniform(0, 2 * np.pi, n))
+        gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
+        if gaps.max() < 2.6 and gaps.min() > 0.1:
+            radius = rng.uniform(rng.uniform(0.15, 0.5), 1.0, n)
+            return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
+
+
 def simple(rng: Random) -> Ring:
     """Random points joined at random and uncrossed."""
     n = int(rng.integers(5, 13))
@@ -359,6 +370,7 @@ PROFILES: dict[str, Callable[[Random], Ring]] = {
     "V": v_shape,
     "rectilinear": rectilinear,
     "star-shaped": star_shaped,
+    "blob": blob,
     "simple": simple,
 }
 #: profiles whose turns are all right angles

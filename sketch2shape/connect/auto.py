@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from sketch2shape.connect.angular import by_angle
 from sketch2shape.connect.connection import Walk
-from sketch2shape.connect.geometry import distances, ring_edges_of, segments_meet
+from sketch2shape.connect.geometry import ON_LINE, cross, distances
 from sketch2shape.connect.graham import convex_hull
 from sketch2shape.connect.orthogonal import candidate_directions, pairings, solve
 from sketch2shape.connect.regularity import CROSSING, EDGE_CUES, PAIR_CUES, Edges, edge_cues, edges_between, pair_cues
-from sketch2shape.connect.search import EXHAUSTIVE, Energy, all_rings, canonical_rows, edge_index, improve, neighbours
+from sketch2shape.connect.search import EXHAUSTIVE, Energy, all_rings, distinct, edge_index, improve, neighbours
 from sketch2shape.connect.split_walk import split_walk
 from sketch2shape.connect.tour import improve as shorten
 from sketch2shape.connect.tour import insertion
-from sketch2shape.connect.weights import EDGE_WEIGHTS, PAIR_WEIGHTS
+from sketch2shape.connect.weights import KINDS
+from sketch2shape.connect.whole_ring import RING_CUES, ring_cues
 from sketch2shape.model import Bools, Floats, Ints
 
 #: above so many points the candidates are compared as they are: the pairs of all edges would be too many
 ALL_EDGES = 32
+#: rings of each kind that are looked at as a whole
+SHORTLIST = 120
 #: above so many points the tour is not shortened
 SHORTENED = 80
 #: an order whose energy is within this of the best is named as an alternative: it is at least half as probable
@@ -29,7 +34,7 @@ def auto(points: Floats) -> Walk:
     """The most probable simple ring through all points.
 
     Strategy: candidates are the pairings of rectilinear faces in any parallel view, the short tour, the walks and the
-    angular order. Each is improved under the energy of `regularity`, and so are the best of their neighbours. Up to
+    angular order. Each is improved under the energies of `regularity`, and so are the best of their neighbours. Up to
     eight points all rings are compared. Sureness is the probability of the answer among the rings looked at.
     """
     orders, energies = rank(points) if len(points) > ALL_EDGES else rank_improved(points, build(points))
@@ -45,31 +50,79 @@ def auto(points: Floats) -> Walk:
     )
 
 
-def build(points: Floats) -> Energy:
-    """The energy of all edges between the points."""
-    ends, at = edge_index(len(points))
-    return _energy(points, ends, at)
+@dataclass(frozen=True)
+class Model:
+    """What makes a ring through some points probable.
+
+    edges    : all edges that rings may use
+    at       : (n, n) index of the edge between two points
+    kinds    : energy of edges and pairs of edges, for each kind of face
+    parallel : (m, m) how parallel edges are, 0..1, by a narrow standard
+    loosely  : (m, m) the same by a wide one
+    """
+
+    edges: Edges
+    at: Ints
+    kinds: tuple[Energy, ...]
+    parallel: Floats
+    loosely: Floats
+
+    def of(self, orders: Ints) -> Floats:
+        """(k,) energies of rings (k, n)."""
+        whole = ring_cues(self.edges, self.parallel, self.loosely, self.at, orders)
+        by_kind = [
+            kind.of(orders) + whole @ np.array([weights[name] for name in RING_CUES])
+            for kind, weights in zip(self.kinds, KINDS, strict=True)
+        ]
+        return mixed(np.array(by_kind))
 
 
-def _energy(points: Floats, ends: Ints, at: Ints) -> Energy:
+def build(points: Floats) -> Model:
+    """The model over all edges between the points."""
+    return _model(points, *edge_index(len(points)))
+
+
+def _model(points: Floats, ends: Ints, at: Ints) -> Model:
     edges = edges_between(points, ends)
-    edge = edge_cues(edges, convex_hull(points)) @ np.array([EDGE_WEIGHTS[name] for name in EDGE_CUES])
-    pair = np.tensordot(np.array([PAIR_WEIGHTS[name] for name in PAIR_CUES]), pair_cues(edges), axes=1)
-    return Energy(edge, pair + CROSSING * crossings(edges), at)
+    single, pairs = edge_cues(edges, convex_hull(points)), pair_cues(edges)
+    crossed = CROSSING * crossings(edges)
+    found = []
+    for weights in KINDS:
+        edge = single @ np.array([weights[name] for name in EDGE_CUES])
+        edge += weights["face"] / len(points) + weights["vertex"]  # the same for every ring: kinds against each other
+        pair = crossed.copy()
+        for name, cue in zip(PAIR_CUES, pairs, strict=True):
+            pair += weights[name] * cue
+        np.fill_diagonal(pair, 0.0)
+        found.append(Energy(edge, pair, at))
+    parallel, loosely = (pairs[PAIR_CUES.index(name)] for name in ("parallel", "parallel_loose"))
+    np.fill_diagonal(parallel, 0.0)
+    return Model(edges, at, tuple(found), parallel, loosely)
+
+
+def mixed(energies: Floats) -> Floats:
+    """(k,) energy of rings that may be of any kind, from their energies (kinds, k) as each kind."""
+    least = energies.min(axis=0)
+    return np.asarray(least - np.log(np.exp(least - energies).sum(axis=0)))
 
 
 def crossings(edges: Edges) -> Bools:
-    """(m, m) which pairs of edges meet other than in a common end, or leave it in the same direction."""
+    """(m, m) which pairs of edges meet other than in a common end.
+
+    Everything follows from the side of each edge on which each point lies.
+    """
     a, b = edges.points[edges.ends[:, 0]], edges.points[edges.ends[:, 1]]
-    meet = segments_meet(a[:, None], b[:, None], a[None], b[None], slack=1e-9)
-    first, second = edges.ends[:, 0], edges.ends[:, 1]
-    meet &= ~(
-        (first[:, None] == first)
-        | (second[:, None] == second)
-        | (first[:, None] == second)
-        | (second[:, None] == first)
-    )
-    return meet
+    arms = edges.points[None] - a[:, None]
+    side = cross((b - a)[:, None], arms)
+    side[np.abs(side) < ON_LINE] = 0.0
+    side = np.sign(side)
+    reach = (arms * edges.vector[:, None]).sum(axis=2)
+    on = (side == 0) & (reach > 0) & (reach < (edges.length**2)[:, None])
+    np.put_along_axis(on, edges.ends, False, axis=1)
+    np.put_along_axis(side, edges.ends, 0.0, axis=1)
+    apart = side[:, edges.ends[:, 0]] * side[:, edges.ends[:, 1]] < 0
+    touch = on[:, edges.ends[:, 0]] | on[:, edges.ends[:, 1]]
+    return np.asarray((apart & apart.T) | touch | touch.T)
 
 
 def rank(points: Floats) -> tuple[Ints, Floats]:
@@ -85,21 +138,29 @@ def _ring_energy(points: Floats, order: Ints) -> float:
     n = len(order)
     at = np.zeros((n, n), dtype=np.intp)
     at[order, np.roll(order, -1)] = at[np.roll(order, -1), order] = np.arange(n)
-    return float(_energy(points, np.sort(ring_edges_of(order), axis=1), at).of(order[None])[0])
+    ends = np.column_stack((order, np.roll(order, -1)))
+    return float(_model(points, np.sort(ends, axis=1), at).of(order[None])[0])
 
 
-def rank_improved(points: Floats, model: Energy) -> tuple[Ints, Floats]:
-    """Rings (k, n) and their energies, best first: all rings, or improved candidates and those near the best."""
-    n = len(points)
-    if n <= EXHAUSTIVE:
-        orders = all_rings(n)
+def rank_improved(points: Floats, model: Model) -> tuple[Ints, Floats]:
+    """Rings (k, n) and their energies, best first: out of all rings, or of improved candidates and those near them."""
+    starts = seeds(points)
+    if len(points) <= EXHAUSTIVE:
+        orders = all_rings(len(points))
     else:
-        minima = improve(model, seeds(points))
-        best = minima[np.argmin(model.of(minima))]
-        orders = np.unique(np.concatenate((minima, canonical_rows(neighbours(best)))), axis=0)
+        minima = [improve(kind, starts) for kind in model.kinds]
+        best = [found[np.argmin(kind.of(found))] for found, kind in zip(minima, model.kinds, strict=True)]
+        orders, _ = distinct(np.concatenate(minima + [neighbours(ring) for ring in best]))
+    orders, _ = distinct(np.concatenate((starts, _shortlist(model, orders))))
     energies = model.of(orders)
     ranked = np.argsort(energies, kind="stable")
     return orders[ranked], energies[ranked]
+
+
+def _shortlist(model: Model, orders: Ints) -> Ints:
+    """The rings of least energy of each kind, before the cues of whole rings."""
+    best = [np.argsort(kind.of(orders), kind="stable")[:SHORTLIST] for kind in model.kinds]
+    return orders[np.unique(np.concatenate(best))]
 
 
 def seeds(points: Floats) -> Ints:
@@ -114,4 +175,4 @@ def seeds(points: Floats) -> Ints:
         directions = candidate_directions(points)
         for tolerance in (0.01, 0.03):
             found += [order for _, order in solve(points, pairings(points, directions, tolerance))[:6]]
-    return np.unique(canonical_rows(np.array(found)), axis=0)
+    return distinct(np.array(found))[0]

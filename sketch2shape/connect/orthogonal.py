@@ -24,6 +24,8 @@ TOLERANCE = 0.02
 #: directions are taken from so many points to all others; each point has an edge in both directions, more help
 #: under noise
 ANCHORS = 4
+#: so many pairings, the straightest, are combined
+MOST = 40
 
 
 @dataclass(frozen=True)
@@ -97,12 +99,15 @@ def pairings(points: Floats, directions: Floats, tolerance: float) -> list[Pairi
     across = np.c_[-directions[:, 1], directions[:, 0]] @ centred.T
     ranked = np.argsort(across, axis=1, kind="stable")
     offsets = np.take_along_axis(across, ranked, axis=1)
-    breaks = np.diff(offsets, axis=1) > tolerance * size_of(points)
+    near = tolerance * size_of(points)
+    breaks = np.diff(offsets, axis=1) > near
     line = np.concatenate((np.zeros((len(directions), 1), dtype=np.intp), np.cumsum(breaks, axis=1)), axis=1)
     # a line that ends after an odd number of points leaves a break at an odd position
     even = ~breaks[:, ::2].any(axis=1)
     found: dict[bytes, Pairing] = {}
     for k in np.flatnonzero(even).tolist():
+        if _widest(offsets[k], line[k]) > 2 * near:
+            continue  # a chain of near points, not a line
         where = ranked[k][np.lexsort((along[k][ranked[k]], line[k]))]
         pairs = where.reshape(-1, 2)
         partner = np.empty(n, dtype=np.intp)
@@ -111,7 +116,13 @@ def pairings(points: Floats, directions: Floats, tolerance: float) -> list[Pairi
         key = partner.tobytes()
         if key not in found or spread < found[key].spread:
             found[key] = Pairing(partner, spread)
-    return sorted(found.values(), key=lambda pairing: pairing.spread)
+    return sorted(found.values(), key=lambda pairing: pairing.spread)[:MOST]
+
+
+def _widest(offsets: Floats, line: Ints) -> float:
+    """Largest extent of a line across itself."""
+    first = np.flatnonzero(np.diff(line, prepend=-1))
+    return float((np.append(offsets[first[1:] - 1], offsets[-1]) - offsets[first]).max())
 
 
 def _spread(offsets: Floats, line: Ints) -> float:

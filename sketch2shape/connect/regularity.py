@@ -114,8 +114,8 @@ def _hull_neighbours(ends: Ints, hull: Ints) -> Bools:
     return np.asarray((step == 1) | (step == len(hull) - 1))
 
 
-def pair_cues(edges: Edges) -> Floats:
-    """(13, m, m) the PAIR_CUES of each pair of edges, symmetric, 0 on the diagonal."""
+def pair_cues(edges: Edges) -> tuple[Floats, ...]:
+    """The PAIR_CUES of each pair of edges, an (m, m) array each, symmetric; the diagonals mean nothing."""
     length, unit = edges.length, edges.vector / edges.length[:, None]
     sine = np.abs(cross(unit[:, None], unit[None]))
     cosine = np.abs(unit @ unit.T)
@@ -130,7 +130,7 @@ def pair_cues(edges: Edges) -> Floats:
     angle = np.arccos(np.clip(angle_cos, -1, 1))
     apart = ~corner
     in_line = parallel * apart * np.exp(-0.5 * (_offset(edges, unit) / (2 * PLACEMENT)) ** 2)
-    cues = np.stack([
+    return (
         parallel * apart,
         loose * apart,
         in_line,
@@ -140,13 +140,11 @@ def pair_cues(edges: Edges) -> Floats:
         _symmetric(edges),
         corner * np.exp(-0.5 * (angle / 0.2) ** 2),
         corner * np.exp(-0.5 * (angle / 0.45) ** 2),
-        corner * np.clip(np.cos(angle), 0, None),
+        np.asarray(corner * np.clip(np.cos(angle), 0.0, None)),
         corner * np.exp(-0.5 * ((np.pi - angle) / 0.12) ** 2),
-        corner * perpendicular,
+        np.asarray(corner * perpendicular),
         apart * np.exp(-_separation(edges) / 0.03),
-    ])  # fmt: skip
-    cues[:, np.arange(len(length)), np.arange(len(length))] = 0.0
-    return cues
+    )  # fmt: skip
 
 
 def _corners(edges: Edges, unit: Floats) -> tuple[Bools, Floats]:

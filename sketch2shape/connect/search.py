@@ -13,7 +13,7 @@ from itertools import permutations
 
 import numpy as np
 
-from sketch2shape.model import Floats, Ints
+from sketch2shape.model import Bools, Floats, Ints
 
 #: up to so many points all (n - 1)! / 2 rings are looked at
 EXHAUSTIVE = 8
@@ -37,7 +37,7 @@ class Energy:
     def of(self, orders: Ints) -> Floats:
         """(k,) energies of rings (k, n)."""
         used = self.at[orders, np.roll(orders, -1, axis=1)]
-        pairs = self.pair[used[:, :, None], used[:, None, :]].sum(axis=(1, 2))
+        pairs = self.pair.take(used[:, :, None] * len(self.edge) + used[:, None, :]).sum(axis=(1, 2))
         return np.asarray(self.edge[used].sum(axis=1) + 0.5 * pairs)
 
 
@@ -106,54 +106,65 @@ def gains(energy: Energy, orders: Ints, moves: Moves) -> Floats:
     """(k, M) change of energy of each ring (k, n) by each move; negative is better."""
     used = energy.at[orders, np.roll(orders, -1, axis=1)]
     field = energy.edge + energy.pair[used].sum(axis=1)
-    out = energy.at[orders[:, moves.removed[..., 0]], orders[:, moves.removed[..., 1]]]
-    new = energy.at[orders[:, moves.added[..., 0]], orders[:, moves.added[..., 1]]]
-    k = out.shape[-1]
-    rows = np.arange(len(orders))[:, None]
-    change = np.zeros(out.shape[:2])
-    for p in range(k):
-        change += field[rows, new[..., p]] - field[rows, out[..., p]]
-        for q in range(k):
-            change -= energy.pair[new[..., p], out[..., q]]
+    pair, m, rows = energy.pair.ravel(), len(energy.edge), np.arange(len(orders))[:, None] * len(energy.edge)
+    out = _edges_at(energy.at, orders, moves.removed)
+    new = _edges_at(energy.at, orders, moves.added)
+    change = np.zeros(out[0].shape)
+    for p in range(len(out)):
+        change += field.take(new[p] + rows) - field.take(out[p] + rows)
+        from_new, from_out = new[p] * m, out[p] * m
+        for q in range(len(out)):
+            change -= pair.take(from_new + out[q])
             if q > p:
-                change += energy.pair[new[..., p], new[..., q]] + energy.pair[out[..., p], out[..., q]]
+                change += pair.take(from_new + new[q]) + pair.take(from_out + out[q])
     return change
+
+
+def _edges_at(at: Ints, orders: Ints, positions: Ints) -> list[Ints]:
+    """Indices of the edges between positions (M, k, 2) in each ring, one (rings, M) array for each of the k."""
+    n = orders.shape[1]
+    return [
+        at.take(orders.take(positions[:, p, 0], axis=1) * n + orders.take(positions[:, p, 1], axis=1))
+        for p in range(positions.shape[1])
+    ]
 
 
 def improve(energy: Energy, orders: Ints) -> Ints:
     """Improve rings (k, n), the best move first, until no move helps; equal rings are merged on the way."""
     n = orders.shape[1]
-    kinds = (reversals(n), relocations(n))
     active, done = orders, []
     for _ in range(ROUNDS):
-        best = np.full(len(active), -1e-9)
-        following = active.copy()
-        for moves in kinds:
-            change = gains(energy, active, moves)
-            at = change.argmin(axis=1)
-            value = change[np.arange(len(active)), at]
-            better = value < best
-            following[better] = np.take_along_axis(active[better], moves.order[at[better]], axis=1)
-            best = np.minimum(best, value)
-        moved = best < -1e-9
+        moved, following = _best_moves(energy, active, reversals(n))
+        stuck = ~moved
+        if stuck.any():  # the moves are many: tried only where no exchange of two edges helps
+            moved[stuck], following[stuck] = _best_moves(energy, active[stuck], relocations(n))
         done.append(active[~moved])
-        active = _distinct(following[moved])
+        active, _ = distinct(following[moved])
         if len(active) == 0:
             break
-    return _distinct(np.concatenate([*done, active]))
+    return distinct(np.concatenate([*done, active]))[0]
+
+
+def _best_moves(energy: Energy, orders: Ints, moves: Moves) -> tuple[Bools, Ints]:
+    """Which rings the best move lowers, and the rings after it."""
+    change = gains(energy, orders, moves)
+    at = change.argmin(axis=1)
+    better = change[np.arange(len(orders)), at] < -1e-9
+    return better, np.take_along_axis(orders, moves.order[at], axis=1)
 
 
 def neighbours(order: Ints) -> Ints:
     """All rings one move from a ring."""
-    n = len(order)
-    return np.concatenate([order[moves.order] for moves in (reversals(n), relocations(n))])
+    return np.concatenate([order[moves.order] for moves in (reversals(len(order)), relocations(len(order)))])
 
 
-def _distinct(orders: Ints) -> Ints:
-    """The rings in canonical form, each once."""
+def distinct(orders: Ints) -> tuple[Ints, Ints]:
+    """Each of the rings (k, n) once, in canonical form, and the rows they were first met in."""
     if len(orders) == 0:
-        return orders
-    return np.unique(canonical_rows(orders), axis=0)
+        return orders, np.empty(0, dtype=np.intp)
+    rows = canonical_rows(orders)
+    _, first = np.unique(rows.astype(np.uint16).view(f"V{2 * rows.shape[1]}").ravel(), return_index=True)
+    return rows[first], first
 
 
 def canonical_rows(orders: Ints) -> Ints:

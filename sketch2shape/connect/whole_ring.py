@@ -1,0 +1,69 @@
+"""Cues of a ring that no pair of its edges can tell: seen only when the whole ring is there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sketch2shape.connect.geometry import cross
+from sketch2shape.connect.graham import convex_hull
+from sketch2shape.connect.regularity import Edges
+from sketch2shape.model import Floats, Ints
+
+RING_CUES = ("star", "kernel", "area", "reflex", "directions", "excess", "alternate", "strictly")
+#: points a side of the grid on which the kernel (from where all of the ring is seen) is measured
+GRID = 14
+
+
+def ring_cues(edges: Edges, parallel: Floats, loosely: Floats, at: Ints, orders: Ints) -> Floats:
+    """(k, 8) the RING_CUES of rings (k, n).
+
+    Whether the ring is star-shaped from somewhere, and the part of its area it is star-shaped from; its area as a part
+    of the hull's; the part of its corners that are reflex; the number of different edge directions for each edge; log of its
+    length against the shortest of these rings; how far every other edge is parallel, as in a rectilinear face, on the
+    whole and at the worst.
+
+    parallel, loosely : (m, m) how parallel edges are, 0..1, by a narrow and by a wide standard
+    at       : (n, n) index of the edge between two points
+    """
+    following = np.roll(orders, -1, axis=1)
+    used = at[orders, following]
+    ring = edges.points[orders]
+    steps = edges.points[following] - ring
+    area = 0.5 * cross(ring, edges.points[following]).sum(axis=1)
+    kernel = _kernel(edges, used, np.where(orders < following, 1.0, -1.0) * np.sign(area)[:, None])
+    turns = cross(steps, np.roll(steps, -1, axis=1)) * np.sign(area)[:, None]
+    alike = parallel.take(used[:, :, None] * len(parallel) + used[:, None, :])
+    hull = edges.points[convex_hull(edges.points)]
+    hull_area = 0.5 * cross(hull, np.roll(hull, -1, axis=0)).sum()
+    length = edges.length[used].sum(axis=1)
+    return np.column_stack((
+        kernel > 0,
+        np.minimum(kernel / np.maximum(np.abs(area), 1e-9), 1.0),
+        np.abs(area) / hull_area,
+        (turns < 0).mean(axis=1),
+        (1.0 / (1.0 + alike.sum(axis=2))).mean(axis=1),
+        np.log(length / length.min()),
+        *_alternate(loosely, used),
+    ))  # fmt: skip
+
+
+def _kernel(edges: Edges, used: Ints, sign: Floats) -> Floats:
+    """(k,) area from where all of each ring is seen; sign (k, n) turns edges so that the inside is on their left."""
+    low, span = edges.points.min(axis=0), np.ptp(edges.points, axis=0)
+    steps = (np.arange(GRID) + 0.5) / GRID
+    grid = (low + np.stack(np.meshgrid(steps, steps), axis=-1) * span).reshape(-1, 2)
+    start = edges.points[edges.ends[:, 0]]
+    left = cross(edges.vector[:, None], grid[None] - start[:, None]) > 0
+    sees = (left[used] == (sign > 0)[:, :, None]).all(axis=1)
+    return np.asarray(sees.sum(axis=1) * (span[0] * span[1] / GRID**2))
+
+
+def _alternate(loosely: Floats, used: Ints) -> tuple[Floats, Floats]:
+    """How parallel the edges at even distance along each ring are: mean (to the fourth power) and least."""
+    n = used.shape[1]
+    if n % 2:
+        return np.zeros(len(used)), np.zeros(len(used))
+    i, j = np.triu_indices(n, 2)
+    i, j = i[(j - i) % 2 == 0], j[(j - i) % 2 == 0]
+    alike = loosely.take(used[:, i] * len(loosely) + used[:, j])
+    return alike.mean(axis=1) ** 4, alike.min(axis=1)
