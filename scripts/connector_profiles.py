@@ -252,13 +252,14 @@ def star_shaped(rng: Random) -> Ring:
 
 
 def blob(rng: Random) -> Ring:
-    """Radii at angles that are wholly random, in any order of size; no angle between neighbours above 150 degrees."""
+    """Random radii at random angles about a centre that is not the middle; no gap between angles above 150 degrees."""
     n = int(rng.integers(5, 10))
     while True:
         angle = np.sort(rng.uniform(0, 2 * np.pi, n))
         gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
         if gaps.max() < 2.6 and gaps.min() > 0.1:
             radius = rng.uniform(rng.uniform(0.15, 0.5), 1.0, n)
+            radius *= 1 + rng.uniform(0, 0.7) * np.cos(angle - rng.uniform(0, 2 * np.pi))  # the mean is not the centre
             return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
 
 
@@ -375,7 +376,7 @@ PROFILES: dict[str, Callable[[Random], Ring]] = {
 }
 #: profiles whose turns are all right angles
 RECTILINEAR = ("rect", "L", "T", "U", "plus", "Z", "I", "H", "stairs", "comb", "hook", "spiral", "rectilinear")
-VIEWS = ("frontal", "turned", "affine", "perspective")
+VIEWS = ("frontal", "turned", "sheared", "affine", "perspective")
 
 
 def view(ring: Ring, kind: str, rng: Random) -> Ring:
@@ -385,6 +386,8 @@ def view(ring: Ring, kind: str, rng: Random) -> Ring:
     ring = ring @ _turn(float(rng.integers(4)) * np.pi / 2).T
     if kind == "turned":
         ring = ring @ _turn(rng.uniform(0, 2 * np.pi)).T
+    elif kind == "sheared":
+        ring = ring @ np.array([[1.0, 0.0], [rng.uniform(-0.7, 0.7), rng.uniform(0.6, 1.3)]])
     elif kind == "affine":
         ring = ring @ _parallel(rng)
     elif kind == "perspective":

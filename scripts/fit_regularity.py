@@ -70,7 +70,7 @@ def candidates(points: Array, truth: NDArray[np.intp]) -> NDArray[np.intp]:
     model = auto.build(points)
     orders, energies = auto.rank_improved(points, model)
     true_ring = canonical_rows(truth[None])
-    near = canonical_rows(neighbours(truth)) if len(points) > EXHAUSTIVE else orders[:0]
+    near = canonical_rows(neighbours(model.kinds[0], truth)[0]) if len(points) > EXHAUSTIVE else orders[:0]
     rest = np.unique(np.concatenate((orders[energies < energies[0] + 30][:KEPT], near)), axis=0)
     energies = model.of(rest)
     keep = (energies < CROSSING / 2) & (rest != true_ring).any(axis=1)
@@ -134,7 +134,11 @@ def main() -> None:
     parser.add_argument("--faces", type=int, default=1500)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kinds", type=int, default=len(auto.KINDS), help="kinds of face in the mixture")
     args = parser.parse_args()
+    while len(auto.KINDS) < args.kinds:  # a new kind starts beside the last one
+        rng = np.random.default_rng(len(auto.KINDS))
+        auto.KINDS = (*auto.KINDS, {name: w + float(rng.normal(0, 0.3)) for name, w in auto.KINDS[-1].items()})
     data = training_faces(args.faces, args.seed)
     importance = np.ones(len(data))
     known: list[dict[bytes, NDArray[np.intp]]] = [{} for _ in data]

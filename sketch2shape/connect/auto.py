@@ -10,7 +10,7 @@ from sketch2shape.connect.angular import by_angle
 from sketch2shape.connect.connection import Walk
 from sketch2shape.connect.geometry import ON_LINE, cross, distances
 from sketch2shape.connect.graham import convex_hull
-from sketch2shape.connect.orthogonal import candidate_directions, pairings, solve
+from sketch2shape.connect.orthogonal import candidate_pencils, pairings, solve
 from sketch2shape.connect.regularity import CROSSING, EDGE_CUES, PAIR_CUES, Edges, edge_cues, edges_between, pair_cues
 from sketch2shape.connect.search import EXHAUSTIVE, Energy, all_rings, distinct, edge_index, improve, neighbours
 from sketch2shape.connect.split_walk import split_walk
@@ -22,8 +22,10 @@ from sketch2shape.model import Bools, Floats, Ints
 
 #: above so many points the candidates are compared as they are: the pairs of all edges would be too many
 ALL_EDGES = 32
+#: inverse distances of vanishing points that are tried, in sizes of the face
+CONVERGE = (0.0, 0.07, -0.07, 0.15, -0.15, 0.24, -0.24)
 #: rings of each kind that are looked at as a whole
-SHORTLIST = 120
+SHORTLIST = 80
 #: above so many points the tour is not shortened
 SHORTENED = 80
 #: an order whose energy is within this of the best is named as an alternative: it is at least half as probable
@@ -85,7 +87,7 @@ def build(points: Floats) -> Model:
 def _model(points: Floats, ends: Ints, at: Ints) -> Model:
     edges = edges_between(points, ends)
     single, pairs = edge_cues(edges, convex_hull(points)), pair_cues(edges)
-    crossed = CROSSING * crossings(edges)
+    crossed = np.where(crossings(edges), CROSSING, 0.0)
     found = []
     for weights in KINDS:
         edge = single @ np.array([weights[name] for name in EDGE_CUES])
@@ -146,21 +148,21 @@ def rank_improved(points: Floats, model: Model) -> tuple[Ints, Floats]:
     """Rings (k, n) and their energies, best first: out of all rings, or of improved candidates and those near them."""
     starts = seeds(points)
     if len(points) <= EXHAUSTIVE:
-        orders = all_rings(len(points))
+        every = all_rings(len(points))
+        found = [every[np.argsort(kind.of(every), kind="stable")[:SHORTLIST]] for kind in model.kinds]
     else:
-        minima = [improve(kind, starts) for kind in model.kinds]
-        best = [found[np.argmin(kind.of(found))] for found, kind in zip(minima, model.kinds, strict=True)]
-        orders, _ = distinct(np.concatenate(minima + [neighbours(ring) for ring in best]))
-    orders, _ = distinct(np.concatenate((starts, _shortlist(model, orders))))
+        found = [_improved(kind, starts) for kind in model.kinds]
+    orders, _ = distinct(np.concatenate((starts, *found)))
     energies = model.of(orders)
     ranked = np.argsort(energies, kind="stable")
     return orders[ranked], energies[ranked]
 
 
-def _shortlist(model: Model, orders: Ints) -> Ints:
-    """The rings of least energy of each kind, before the cues of whole rings."""
-    best = [np.argsort(kind.of(orders), kind="stable")[:SHORTLIST] for kind in model.kinds]
-    return orders[np.unique(np.concatenate(best))]
+def _improved(kind: Energy, starts: Ints) -> Ints:
+    """Rings that no exchange improves, and the best of those one exchange away from the best of them."""
+    minima = improve(kind, starts)
+    near, above = neighbours(kind, minima[np.argmin(kind.of(minima))])
+    return np.concatenate((minima, near[np.argsort(above, kind="stable")[:SHORTLIST]]))
 
 
 def seeds(points: Floats) -> Ints:
@@ -172,7 +174,7 @@ def seeds(points: Floats) -> Ints:
         found.append(shorten(gaps, inserted))
     found += [split_walk(points, axis=axis).order for axis in ("y", "x")]
     if len(points) % 2 == 0:
-        directions = candidate_directions(points)
-        for tolerance in (0.01, 0.03):
-            found += [order for _, order in solve(points, pairings(points, directions, tolerance))[:6]]
+        for tolerance, converge in ((0.015, CONVERGE), (0.03, (0.0,))):
+            pencils = candidate_pencils(points, converge)
+            found += [order for _, order in solve(points, pairings(points, pencils, tolerance))[:6]]
     return distinct(np.array(found))[0]

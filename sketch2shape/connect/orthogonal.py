@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from sketch2shape.connect.connection import Walk
-from sketch2shape.connect.geometry import canonical, ring_is_simple, size_of
+from sketch2shape.connect.geometry import canonical, cross, ring_is_simple, size_of
 from sketch2shape.errors import PointsError, UsageError
 from sketch2shape.model import Floats, Ints
 
@@ -25,7 +25,7 @@ TOLERANCE = 0.02
 #: under noise
 ANCHORS = 4
 #: so many pairings, the straightest, are combined
-MOST = 40
+MOST = 30
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ def orthogonal(points: Floats, *, tolerance: float = TOLERANCE, directions: Lite
             f"expected directions 'axes' or 'any' and 0 <= tolerance < 0.5, got {directions!r} and {tolerance!r}"
         )
     solutions: dict[tuple[int, ...], float] = {}
-    for chosen in _direction_sets(points, directions):
-        for spread, order in solve(points, pairings(points, chosen, tolerance)):
+    for pencils in _pencil_sets(points, directions):
+        for spread, order in solve(points, pairings(points, pencils, tolerance)):
             key = canonical(order)
             solutions[key] = min(spread, solutions.get(key, np.inf))
         if solutions:
@@ -75,35 +75,60 @@ def orthogonal(points: Floats, *, tolerance: float = TOLERANCE, directions: Lite
     )
 
 
-def _direction_sets(points: Floats, directions: str) -> list[Floats]:
-    axes = np.eye(2)
-    return [axes] if directions == "axes" else [axes, candidate_directions(points)]
+def _pencil_sets(points: Floats, directions: str) -> list[Pencils]:
+    axes = Pencils(np.tile(points.mean(axis=0), (2, 1)), np.eye(2), np.zeros(2))
+    return [axes] if directions == "axes" else [axes, candidate_pencils(points)]
 
 
-def candidate_directions(points: Floats, anchors: int = ANCHORS) -> Floats:
-    """(m, 2) unit vectors from a few points to all others, opposite ones once."""
-    spread = np.unique(np.linspace(0, len(points) - 1, anchors).astype(int))
-    vectors = np.concatenate([np.delete(points, i, axis=0) - points[i] for i in spread])
+@dataclass(frozen=True)
+class Pencils:
+    """Families of lines: parallel ones, or those through one vanishing point.
+
+    origin    : (m, 2) a point on one line of each family
+    direction : (m, 2) unit vector of that line
+    converge  : (m,) inverse distance of the vanishing point along it from the origin, 0 for parallel lines
+    """
+
+    origin: Floats
+    direction: Floats
+    converge: Floats
+
+
+def candidate_pencils(points: Floats, converge: tuple[float, ...] = (0.0,), anchors: int = ANCHORS) -> Pencils:
+    """Families with a line through one of a few points and any other point.
+
+    converge : inverse distances of the vanishing point to try, in sizes of the points
+    """
+    n = len(points)
+    chosen = np.unique(np.linspace(0, n - 1, anchors).astype(int))
+    first, second = (grid.ravel() for grid in np.meshgrid(chosen, np.arange(n), indexing="ij"))
+    first, second = first[first != second], second[first != second]
+    vectors = points[second] - points[first]
     vectors /= np.hypot(vectors[:, 0], vectors[:, 1])[:, None]
-    vectors[vectors[:, 0] < 0] *= -1
-    return np.unique(vectors.round(9), axis=0)
+    count = len(converge)
+    return Pencils(
+        np.repeat(points[first], count, axis=0),
+        np.repeat(vectors, count, axis=0),
+        np.tile(np.array(converge) / size_of(points), len(first)),
+    )
 
 
-def pairings(points: Floats, directions: Floats, tolerance: float) -> list[Pairing]:
-    """All pairings of the points along the directions (m, 2) in which every line holds an even number of points."""
+def pairings(points: Floats, pencils: Pencils, tolerance: float) -> list[Pairing]:
+    """All pairings of the points along the families of lines in which every line holds an even number of points."""
     n = len(points)
     if n % 2 or n < 4:
         return []
-    centred = points - points.mean(axis=0)
-    along = directions @ centred.T
-    across = np.c_[-directions[:, 1], directions[:, 0]] @ centred.T
+    near = tolerance * size_of(points)
+    arms = points[None] - pencils.origin[:, None]
+    along = (arms * pencils.direction[:, None]).sum(axis=2)
+    scale = 1.0 - along * pencils.converge[:, None]
+    across = cross(pencils.direction[:, None], arms) / np.maximum(scale, 0.2)
     ranked = np.argsort(across, axis=1, kind="stable")
     offsets = np.take_along_axis(across, ranked, axis=1)
-    near = tolerance * size_of(points)
     breaks = np.diff(offsets, axis=1) > near
-    line = np.concatenate((np.zeros((len(directions), 1), dtype=np.intp), np.cumsum(breaks, axis=1)), axis=1)
+    line = np.concatenate((np.zeros((len(breaks), 1), dtype=np.intp), np.cumsum(breaks, axis=1)), axis=1)
     # a line that ends after an odd number of points leaves a break at an odd position
-    even = ~breaks[:, ::2].any(axis=1)
+    even = ~breaks[:, ::2].any(axis=1) & (scale.min(axis=1) > 0.2)
     found: dict[bytes, Pairing] = {}
     for k in np.flatnonzero(even).tolist():
         if _widest(offsets[k], line[k]) > 2 * near:

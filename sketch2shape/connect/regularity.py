@@ -126,9 +126,9 @@ def pair_cues(edges: Edges) -> tuple[Floats, ...]:
     ratio = np.log(length[:, None] / length[None])
     spread = EQUAL_LENGTH + PLACEMENT * (1 / length[:, None] + 1 / length[None])
     equal = np.exp(-0.5 * (ratio / spread) ** 2)
-    corner, angle_cos = _corners(edges, unit)
+    shared, angle_cos = _corners(edges, unit)
+    corner, apart = shared.astype(np.float64), (~shared).astype(np.float64)
     angle = np.arccos(np.clip(angle_cos, -1, 1))
-    apart = ~corner
     in_line = parallel * apart * np.exp(-0.5 * (_offset(edges, unit) / (2 * PLACEMENT)) ** 2)
     return (
         parallel * apart,
@@ -140,9 +140,9 @@ def pair_cues(edges: Edges) -> tuple[Floats, ...]:
         _symmetric(edges),
         corner * np.exp(-0.5 * (angle / 0.2) ** 2),
         corner * np.exp(-0.5 * (angle / 0.45) ** 2),
-        np.asarray(corner * np.clip(np.cos(angle), 0.0, None)),
+        corner * np.clip(np.cos(angle), 0.0, None),
         corner * np.exp(-0.5 * ((np.pi - angle) / 0.12) ** 2),
-        np.asarray(corner * perpendicular),
+        corner * perpendicular,
         apart * np.exp(-_separation(edges) / 0.03),
     )  # fmt: skip
 

@@ -153,9 +153,11 @@ def _best_moves(energy: Energy, orders: Ints, moves: Moves) -> tuple[Bools, Ints
     return better, np.take_along_axis(orders, moves.order[at], axis=1)
 
 
-def neighbours(order: Ints) -> Ints:
-    """All rings one move from a ring."""
-    return np.concatenate([order[moves.order] for moves in (reversals(len(order)), relocations(len(order)))])
+def neighbours(energy: Energy, order: Ints) -> tuple[Ints, Floats]:
+    """All rings one move from a ring, and how much their energies are above its own."""
+    kinds = (reversals(len(order)), relocations(len(order)))
+    rings = np.concatenate([order[moves.order] for moves in kinds])
+    return rings, np.concatenate([gains(energy, order[None], moves)[0] for moves in kinds])
 
 
 def distinct(orders: Ints) -> tuple[Ints, Ints]:
