@@ -31,7 +31,6 @@ from sketch2shape.synthetic.recipes import RECIPES
 
 ROOT = Path(__file__).resolve().parent.parent
 SETS = ("committed", "fresh", "bench", "real")
-SECONDS = 60
 
 Case = dict[str, Any]
 
@@ -40,7 +39,7 @@ def main() -> None:
     args = _arguments()
     with tempfile.TemporaryDirectory() as scratch:
         cases = [c for name in args.sets for c in collect(name, args, Path(scratch))]
-        outcomes = run(cases, args.jobs)
+        outcomes = run(cases, args.jobs, args.seconds)
         print(summary_table(outcomes))
         if args.raw:
             Path(args.raw).write_text(json.dumps(outcomes))
@@ -59,6 +58,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--per-category", type=int, default=4, metavar="N", help="fresh drawings of each category")
     parser.add_argument("--bench", type=Path, default=ROOT.parent / "shared" / "bench")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--seconds", type=float, default=30, help="after which a picture is given up")
     parser.add_argument("--page", default=str(ROOT / "docs" / "results.md"), help="'' writes none")
     parser.add_argument("--raw", help="write every outcome as JSON")
     return parser.parse_args()
@@ -91,13 +91,13 @@ def collect(name: str, args: argparse.Namespace, scratch: Path) -> list[Case]:
     return found
 
 
-def run(cases: list[Case], jobs: int) -> list[Case]:
+def run(cases: list[Case], jobs: int, seconds: float) -> list[Case]:
     """Outcome of each case, in order; a crash or a hang costs its own case only."""
     from pebble import ProcessPool
 
     outcomes = []
     with ProcessPool(max_workers=jobs, initializer=_warm_up) as pool:
-        results = pool.map(measure, cases, timeout=SECONDS, chunksize=1).result()
+        results = pool.map(measure, cases, timeout=seconds, chunksize=1).result()
         for number, case in enumerate(cases):
             try:
                 outcomes.append(next(results))
@@ -106,7 +106,7 @@ def run(cases: list[Case], jobs: int) -> list[Case]:
                     "status": "lost",
                     "message": f"{type(error).__name__}: {error}",
                     "answers": [],
-                    "ms": SECONDS * 1e3,
+                    "ms": seconds * 1e3,
                 }
                 outcomes.append(case | lost | scored(case["truth"], lost))
             if sys.stderr.isatty():
@@ -114,8 +114,8 @@ def run(cases: list[Case], jobs: int) -> list[Case]:
     return outcomes
 
 
-def _lost(case: Case, error: Exception) -> Case:
-    found = {"status": "lost", "message": f"{type(error).__name__}: {error}", "answers": [], "ms": SECONDS * 1e3}
+def _lost(case: Case, error: Exception, seconds: float) -> Case:
+    found = {"status": "lost", "message": f"{type(error).__name__}: {error}", "answers": [], "ms": seconds * 1e3}
     return case | found | scored(case["truth"], found)
 
 
