@@ -6,8 +6,9 @@ Truth and answers are plain dictionaries, as in the JSON beside a test drawing a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -93,9 +94,22 @@ def compare(truth: Thing, answer: Thing) -> Verdict:
         return Verdict(False, f"a vertex is off by {off[worst]:.0f} px (allowed {limit[worst]:.0f})")
     match = np.empty(len(got), np.intp)
     match[columns] = rows
-    if _edge_set(match[got_edges]) != _edge_set(want_edges):
-        return Verdict(False, "vertices right, edges wrong")
-    return Verdict(True, "", float(off.max()), match)
+    for twin in _same_places(match, want, float(limit.min())):
+        if _edge_set(twin[got_edges]) == _edge_set(want_edges):
+            return Verdict(True, "", float(off.max()), twin)
+    return Verdict(False, "vertices right, edges wrong")
+
+
+def _same_places(match: Ints, want: Floats, limit: float) -> Iterator[Ints]:
+    """The match, then those with vertices exchanged that lie in one place, as in an isometric cube."""
+    close = np.linalg.norm(want[:, None] - want[None], axis=2) < limit
+    pairs = [(int(i), int(j)) for i, j in np.argwhere(np.triu(close, 1))][:6]
+    for choice in product((False, True), repeat=len(pairs)):
+        swap = np.arange(len(want))
+        for (i, j), chosen in zip(pairs, choice, strict=True):
+            if chosen:
+                swap[[i, j]] = swap[[j, i]]
+        yield swap[match]
 
 
 def judge(truth: Thing, answers: Sequence[Thing]) -> Verdict:
