@@ -24,10 +24,12 @@ from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.strokes import trace_strokes as trace_skeleton
 from sketch2shape.tracing import ink_of, to_picture
-from sketch2shape.verify import Evidence, Rings, judge, plausible
+from sketch2shape.verify import Evidence, Rings, front_support, judge, plausible
 
 LEAST = 0.5
 """A hypothesis that explains less than this is none."""
+FRONT = 0.7
+"""Part of the front face's outline that must have ink before the rest is looked at."""
 
 
 def separate_faces(source: Any, *, corners: ArrayLike | None = None, most: int = 8) -> tuple[TwoFaceObject, ...]:
@@ -71,7 +73,7 @@ def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evi
         sheet = search._sheet(group, skeleton, tolerant.reach)
         best = 0.0
         for rings in _hypotheses(group, skeleton, tolerant, corners):
-            if not plausible(rings, 1.5 * sheet.pen):
+            if not plausible(rings, 1.5 * sheet.pen) or front_support(rings, sheet) < FRONT:
                 continue
             evidence = judge(rings, sheet)
             best = max(best, evidence.score)

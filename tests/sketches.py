@@ -5,6 +5,8 @@ import numpy as np
 
 from sketch2shape.ink import find_ink
 from sketch2shape.model import Picture, ring_edges
+from sketch2shape.strokes import thin
+from sketch2shape.verify import skeleton_sheet
 
 SQUARE = np.array([[120.0, 140], [270, 140], [270, 290], [120, 290]])
 L_SHAPE = np.array([[90.0, 120], [210, 120], [210, 190], [150, 190], [150, 300], [90, 300]])
@@ -16,6 +18,13 @@ def ink_of(picture):
     return find_ink(Picture(cv2.cvtColor(picture, cv2.COLOR_GRAY2RGB)))
 
 
+def sheet_of(picture, reach=2.5):
+    """What hypotheses are compared with: the thinned ink, every pixel of it alike."""
+    ink = ink_of(picture)
+    skeleton = thin(ink)
+    return skeleton_sheet(skeleton.distance, skeleton.points, np.ones(len(skeleton.points)), reach, ink.pen_width)
+
+
 def paper(height=400, width=480):
     return np.full((height, width), 255, np.uint8)
 
@@ -24,11 +33,19 @@ def line(picture, a, b, width=2, dashed=False):
     """A straight line in the given picture, to a sixteenth of a pixel."""
     a, b = np.asarray(a, float), np.asarray(b, float)
     length = float(np.linalg.norm(b - a))
-    starts = np.arange(0, length, 12.0) if dashed else np.array([0.0])
+    starts = np.arange(0, length, 18.0) if dashed else np.array([0.0])
     for s in starts:
-        ends = a + (b - a) * np.array([[s], [min(s + 7.0, length) if dashed else length]]) / length
+        ends = a + (b - a) * np.array([[s], [min(s + 9.0, length) if dashed else length]]) / length
         p, q = (tuple(int(v) for v in np.rint(e * 16)) for e in ends)
         cv2.line(picture, p, q, 0, width, cv2.LINE_AA, 4)
+    return picture
+
+
+def outline(ring, width=2, picture=None):
+    """A closed polygon."""
+    picture = paper() if picture is None else picture
+    for k in range(len(ring)):
+        line(picture, ring[k - 1], ring[k], width)
     return picture
 
 

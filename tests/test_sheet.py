@@ -2,7 +2,7 @@
 
 import cv2
 import numpy as np
-from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
+from sketches import DEPTH, SQUARE, ink_of, outline, paper, prism
 
 from sketch2shape.sheet import split_groups
 
@@ -30,8 +30,7 @@ def test_two_objects_on_a_sheet_are_two_groups_the_larger_first():
 def test_a_hole_belongs_to_the_object_around_it():
     picture = prism(SQUARE, SQUARE + DEPTH, "removed")
     hole = SQUARE.mean(axis=0) + 0.3 * (SQUARE - SQUARE.mean(axis=0))
-    for k in range(4):
-        line(picture, hole[k], hole[(k + 1) % 4])
+    outline(hole, picture=picture)
     assert len(split_groups(ink_of(picture))) == 1
 
 

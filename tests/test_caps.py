@@ -1,0 +1,52 @@
+"""The separator for drawings without solid hidden edges."""
+
+import numpy as np
+import pytest
+from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
+
+from sketch2shape.caps import caps
+from sketch2shape.corners import join_ends
+from sketch2shape.regions import enclosed_regions
+from sketch2shape.search import corner_graph
+from sketch2shape.strokes import thin, trace_strokes
+
+
+def hypotheses(picture):
+    ink = ink_of(picture)
+    skeleton = thin(ink)
+    graph = corner_graph(skeleton, join_ends(trace_strokes(skeleton, 1.5), ink.pen_width), 2.0)
+    return list(caps(graph, enclosed_regions(ink.mask, ink.pen_width, 1.5), ink.pen_width))
+
+
+def near(a, b, within):
+    if len(a) != len(b):
+        return False
+    gap = np.linalg.norm(a[:, None] - b[None], axis=2)
+    return max(gap.min(axis=0).max(), gap.min(axis=1).max()) <= within
+
+
+@pytest.mark.parametrize("lines", ["removed", "dashed"])
+@pytest.mark.parametrize("f1", [SQUARE, HEXAGON], ids=["box", "hexagon"])
+def test_the_visible_cap_and_the_face_behind_it_are_proposed(f1, lines):
+    found = hypotheses(prism(f1, f1 + DEPTH, lines))
+    assert any(near(r.front[0], f1, 4) and near(r.back[0], f1 + DEPTH, 8) for r in found)
+    assert all(len(r.front) == len(r.back) for r in found)
+
+
+def test_a_tapered_back_face_is_completed_at_its_own_size():
+    f2 = shrunk(SQUARE, 0.6, np.array([460.0, 60]))
+    found = hypotheses(prism(SQUARE, f2, "removed"))
+    assert any(near(r.front[0], SQUARE, 4) and near(r.back[0], f2, 8) for r in found)
+
+
+def test_a_hole_in_the_cap_comes_with_its_back():
+    hole = SQUARE.mean(axis=0) + 0.4 * (SQUARE - SQUARE.mean(axis=0))
+    picture = prism(SQUARE, SQUARE + DEPTH, "removed")
+    outline(hole, picture=picture)
+    holed = [r for r in hypotheses(picture) if len(r.front) == 2]
+    assert any(near(r.front[1], hole, 4) and near(r.back[1], hole + DEPTH, 8) for r in holed)
+
+
+def test_rungs_leave_the_cap_so_a_lone_polygon_gives_nothing():
+    picture = outline(L_SHAPE)
+    assert hypotheses(picture) == []
