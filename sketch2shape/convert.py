@@ -16,7 +16,7 @@ from sketch2shape.products import encode_product, infixed
 from sketch2shape.read import count_pages, read_bytes, read_picture
 from sketch2shape.report import encode_report, report
 from sketch2shape.result import Result
-from sketch2shape.write import write_file, write_stdout
+from sketch2shape.write import quiet_stderr, write_file, write_stdout
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,9 @@ def _convert_pages(task: Task, data: bytes, written: dict[str, str]) -> Outcome:
     """Convert the page asked for, or all of them: then the input is done if one page holds an object."""
     if task.settings.page is not None:
         return _convert_page(task, data, task.settings.page, written)
-    outcomes = [_convert_page(_for_page(task, p), data, p, written) for p in range(count_pages(data))]
+    with quiet_stderr():
+        pages = count_pages(data)
+    outcomes = [_convert_page(_for_page(task, p), data, p, written) for p in range(pages)]
     good = [o for o in outcomes if o.exit_code == 0]
     if not good:
         return outcomes[0]
@@ -150,7 +152,8 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
     size: tuple[int, int] | None = None
     try:
         begin = time.perf_counter()
-        picture = read_picture(data, task.settings.limits, page=page, name=task.name)
+        with quiet_stderr():
+            picture = read_picture(data, task.settings.limits, page=page, name=task.name)
         size = (picture.pixels.shape[1], picture.pixels.shape[0])
         read_ms = (time.perf_counter() - begin) * 1000
         result = _reconstruct(picture, task.settings, read_ms)

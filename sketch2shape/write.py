@@ -11,6 +11,7 @@ import contextlib
 import os
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
@@ -144,6 +145,27 @@ def write_stdout(data: bytes, stream: BinaryIO | None = None) -> None:
     except (OSError, ValueError) as error:
         _silence(out)
         raise WriteError(f"cannot write to standard output ({getattr(error, 'strerror', None) or error})") from None
+
+
+@contextlib.contextmanager
+def quiet_stderr() -> Iterator[None]:
+    """Keep libraries in C from writing to standard error meanwhile; those that decode damaged files are talkative.
+
+    For the command only: it acts on the whole process.
+    """
+    try:
+        saved = os.dup(2)
+    except OSError:  # there is no standard error
+        yield
+        return
+    try:
+        null = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(null, 2)
+        os.close(null)
+        yield
+    finally:
+        os.dup2(saved, 2)
+        os.close(saved)
 
 
 def _silence(out: BinaryIO) -> None:

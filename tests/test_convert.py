@@ -7,6 +7,7 @@ import io
 import json
 import os
 from dataclasses import replace
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -18,9 +19,12 @@ from sketch2shape.errors import CrashError, LimitError, NoObjectError
 from sketch2shape.limits import Limits
 
 
+PIPELINE = import_module("sketch2shape.reconstruct")
+
+
 @pytest.fixture(autouse=True)
 def _stand_in(monkeypatch):
-    monkeypatch.setattr("sketch2shape.reconstruct.reconstruct", stand_in.reconstruct)
+    monkeypatch.setattr(PIPELINE, "reconstruct", stand_in.reconstruct)
 
 
 def png(value=0, size=(40, 30)):
@@ -81,7 +85,7 @@ def test_a_bug_is_told_as_one_and_never_raised(task, monkeypatch):
     def bug(*_, **__):
         raise KeyError("oops")
 
-    monkeypatch.setattr("sketch2shape.reconstruct.reconstruct", bug)
+    monkeypatch.setattr(PIPELINE, "reconstruct", bug)
     outcome = convert(task)
     assert outcome.exit_code == 1
     assert "KeyError" in outcome.message
