@@ -62,8 +62,8 @@ def simplest_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
     In a prism over a trapezoid or a wedge, two of the pairs are not parallel; in a frustum over a square only one is.
     """
     pairs: list[tuple[Drawing, Ints | None]] = [(drawing, None), *other_pairs(drawing)]
-    # a pair that is a mere guess must fit to within the noise; the one given may be drawn by a shaky hand
-    slack = [max(_FITS * drawing.noise, CONVERGENCE * drawing.diagonal)] + [_FITS * drawing.noise] * 2
+    # a pair that is a mere guess must fit better than the one given
+    slack = [max(_FITS * drawing.noise, part * CONVERGENCE * drawing.diagonal) for part in (1.0, 0.6, 0.6)]
     ranks = [_unlikely(pair, limit) for (pair, _), limit in zip(pairs, slack, strict=False)]
     return pairs[ranks.index(min(ranks))]
 
@@ -100,13 +100,18 @@ def true_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
 def standing_pairs(drawing: Drawing) -> list[int]:
     """Which pairs of sides an orthographic view may be about: 0 the pair as given, 1 and 2 those of `other_pairs`.
 
-    Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level;
-    drawn, a level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.
+    Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level; drawn, a
+    level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.
     """
-    rise = np.rad2deg([np.arctan2(abs(e[1]), abs(e[0])) for e in _directions(drawing)])
-    if rise[2] > _PLUMB or rise[2] < max(rise[:2]) + 3.0:
-        return [0]
-    return [1, 2]
+    a, b, d = _directions(drawing)
+    rise = np.rad2deg([np.arctan2(abs(e[1]), abs(e[0])) for e in (d, a, b)])
+    return [0] if rise[0] > _PLUMB or rise[0] < rise.max() else [1, 2]
+
+
+def lean(face: Floats) -> float:
+    """How far the corners of a (4, 2) true parallelogram are from right angles, degrees."""
+    a, b = face[1] - face[0], face[3] - face[0]
+    return float(np.rad2deg(np.arcsin(min(abs(a @ b) / max(float(np.hypot(*a) * np.hypot(*b)), 1e-12), 1.0))))
 
 
 def _directions(drawing: Drawing) -> tuple[Floats, Floats, Floats]:

@@ -48,7 +48,7 @@ class Drawing:
 
 def prepare(obj: TwoFaceObject) -> Drawing:
     """Split an object into what the lifting needs."""
-    points = obj.vertices.astype(np.float64)
+    points = _rectified(obj.vertices.astype(np.float64), obj.page)
     m = len(points) // 2
     first, second = points[:m], points[m:]
     known = np.ones(m, bool) if obj.f2_drawn is None else np.asarray(obj.f2_drawn, bool)
@@ -64,6 +64,25 @@ def prepare(obj: TwoFaceObject) -> Drawing:
         known,
         obj.lines != "wire",
     )
+
+
+def _rectified(points: Floats, page: Floats | None) -> Floats:
+    """Points as they lie on the page, if the page was photographed at a tilt, in about their size in the picture.
+
+    A homography that sends a point to infinity cannot be that of the page, and is ignored.
+    """
+    if page is None:
+        return points
+    mapped = np.c_[points, np.ones(len(points))] @ np.asarray(page, np.float64).T
+    depth = mapped[:, 2]
+    if not np.isfinite(mapped).all() or np.abs(depth).min() < 1e-9 or np.ptp(np.sign(depth)) > 0:
+        return points
+    flat: Floats = mapped[:, :2] / depth[:, None]
+    size = float(np.linalg.norm(np.ptp(flat, axis=0)))
+    if size <= 0.0:
+        return points
+    scale = float(np.linalg.norm(np.ptp(points, axis=0))) / size
+    return (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
 
 
 def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:

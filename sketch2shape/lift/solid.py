@@ -8,12 +8,12 @@ import numpy as np
 
 from sketch2shape.errors import PointsError
 from sketch2shape.lift.beautify import beautified
-from sketch2shape.lift.box import is_box_like, other_pairs, receding, simplest_pair, standing_pairs, true_pair
+from sketch2shape.lift.box import is_box_like, lean, other_pairs, receding, simplest_pair, standing_pairs, true_pair
 from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
 from sketch2shape.lift.options import LiftOptions
-from sketch2shape.lift.parallel import axonometric_shape, oblique_shape, read_axonometric, read_oblique
+from sketch2shape.lift.parallel import axonometric_maps, axonometric_shape, oblique_shape, read_axonometric, read_oblique
 from sketch2shape.lift.perspective import facing_shape, perspective_shape
 from sketch2shape.lift.projection import Drawing, kind_of, prepare
 from sketch2shape.lift.shape import Shape
@@ -24,6 +24,9 @@ _FLAT = 0.01
 
 #: a face with less area than this part of its diagonal squared is seen from its edge
 _EDGE_ON = 0.004
+
+#: log odds that a degree of lean costs a prism over a parallelogram
+_LEAN = 0.12
 
 #: a face drawn smaller than this, all facing the viewer, is a tapered object's, not a far one's
 _FAR_SCALE = 0.64
@@ -103,8 +106,10 @@ def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     flat = read_oblique(*_mean_face(true, taper), sizes=sizes, noise=noise)
     views = [(drawing, None), *(other_pairs(drawing) if box else [])]
     readings = [read_axonometric(*_mean_face(pair, taper), sizes=sizes, noise=noise) for pair, _ in views]
-    standing = standing_pairs(drawing) if box else [0]
-    likeliest = max(standing, key=lambda k: readings[k].odds)
+    likeliest = 0
+    if box:
+        leans = [_lean(pair, r.slant) for (pair, _), r in zip(views, readings, strict=True)]
+        likeliest = max(standing_pairs(drawing), key=lambda k: readings[k].odds - _LEAN * leans[k])
     odds = flat.odds - max(r.odds for r in readings)
     oblique = odds >= 0 if options.projection not in ("oblique", "axonometric") else options.projection == "oblique"
     pair, order = (true, true_order) if oblique else views[likeliest]
@@ -123,6 +128,12 @@ def _front_first(pair: Drawing, order: Ints, d: Floats) -> tuple[Drawing, Ints]:
     """Another pair of a box's sides with the nearer one in front; d is the connecting vector of the pair as given."""
     chosen, swapped = receding(pair, d)
     return chosen, np.roll(order, 4) if swapped else order
+
+
+def _lean(pair: Drawing, slant: float) -> float:
+    """How far the face of this pair is from a rectangle if it is seen at this slant, degrees."""
+    face, d = _mean_face(pair, 1.0)
+    return lean(face @ axonometric_maps(np.array([slant]), d)[0])
 
 
 def _converging(drawing: Drawing) -> Shape | None:
