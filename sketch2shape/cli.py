@@ -49,7 +49,7 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("inputs", metavar="INPUT", nargs="+", help="image, folder, or - for standard input")
     parser.add_argument("--version", action="version", version=f"sketch2shape {__version__}")
     parser.add_argument("--debug", action="store_true", help="show the traceback of a bug")
-    for add in (_output_options, _reading_options, _method_options, _batch_options):
+    for add in (_output_options, _reading_options, _method_options, _solid_options, _batch_options):
         add(parser)
     return parser
 
@@ -70,8 +70,9 @@ def _output_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     group.add_argument(
         "--format", metavar="FORMAT", action="append", default=[],
-        help="format where OUT is a folder or -: obj (default), stl, ply, glb, 3mf, off, json, overlay, "
-        "stages, preview, html; several: obj,stl",
+        help="format where OUT is a folder or -: obj (default), stl, stl-ascii, ply, glb, 3mf, off, step, "
+        "svg and dxf (the drawing), face.svg and face.dxf (the true face), json, overlay, stages, preview, html; "
+        "several: obj,stl",
     )  # fmt: skip
     for product, what in _PICTURES.items():
         group.add_argument(f"--{product}", metavar="FILE", help=f"{what}; for folders use --format {product}")
@@ -93,6 +94,26 @@ def _method_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("method")
     group.add_argument("--connector", metavar="NAME", default="auto", help="orders face vertices (default auto)")
     group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
+
+
+def _solid_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("solid")
+    group.add_argument(
+        "--projection", choices=("auto", "oblique", "axonometric", "perspective"), default="auto",
+        help="how the object was projected (default: told from the drawing)",
+    )  # fmt: skip
+    group.add_argument("--width", metavar="L", help="size of the object, as 40mm; it sets the scale")
+    group.add_argument("--height", metavar="L", help="the same by its height")
+    group.add_argument("--depth", metavar="L", help="distance between the two faces, as 25mm")
+    group.add_argument(
+        "--depth-ratio", metavar="R", type=float,
+        help="drawn over true length of receding edges, where the drawing is oblique (default 0.5, cabinet)",
+    )  # fmt: skip
+    group.add_argument("--unit", choices=("px", "mm", "cm", "m", "in"), default="px", help="unit of length")
+    group.add_argument("--up", choices=("y", "z"), help="stand the object upright, this axis upward")
+    group.add_argument("--necker", action="store_true", help="the mirrored reading: near and far exchanged")
+    group.add_argument("--no-beautify", action="store_true", help="leave nearly right angles and equal lengths alone")
+    group.add_argument("--ngons", action="store_true", help="OBJ: whole faces instead of triangles")
 
 
 def _batch_options(parser: argparse.ArgumentParser) -> None:

@@ -8,7 +8,7 @@ from argparse import Namespace
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sketch2shape.batch.pages import wants_pages
 from sketch2shape.convert import Outcome, Output, Settings, Task, convert
@@ -18,6 +18,9 @@ from sketch2shape.limits import Limits
 from sketch2shape.products import PICTURES, infixed, product_of, suffix
 from sketch2shape.read import parse_page
 from sketch2shape.write import exists_error, sweep
+
+if TYPE_CHECKING:
+    from sketch2shape.lift import LiftOptions
 
 Work = Callable[[Task], Outcome]
 
@@ -50,12 +53,32 @@ def settings_of(arguments: Namespace) -> Settings:
 
 def stage_options(arguments: Namespace) -> dict[str, Any]:
     """Keyword arguments of `reconstruct`."""
-    return {} if arguments.connector == "auto" else {"connector": arguments.connector}
+    options: dict[str, Any] = {} if arguments.connector == "auto" else {"connector": arguments.connector}
+    lifting = _lift_options(arguments)
+    return options if lifting is None else {**options, "lift": lifting}
 
 
-def mesh_options(_: Namespace) -> dict[str, Any]:
+def mesh_options(arguments: Namespace) -> dict[str, Any]:
     """Keyword arguments of `encode`."""
-    return {}
+    return {"ngons": True} if arguments.ngons else {}
+
+
+def _lift_options(arguments: Namespace) -> LiftOptions | None:
+    """How to lift the object, None if nothing is asked for. Raises UsageError for sizes that make no sense."""
+    from sketch2shape.lift import LiftOptions
+
+    options = LiftOptions(
+        projection=arguments.projection,
+        depth=arguments.depth,
+        width=arguments.width,
+        height=arguments.height,
+        depth_ratio=arguments.depth_ratio,
+        unit=arguments.unit,
+        up=arguments.up,
+        necker=arguments.necker,
+        beautify=not arguments.no_beautify,
+    )
+    return None if options == LiftOptions() else options
 
 
 def products_of(arguments: Namespace) -> list[str]:

@@ -100,8 +100,8 @@ def true_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
 def standing_pairs(drawing: Drawing) -> list[int]:
     """Which pairs of sides an orthographic view may be about: 0 the pair as given, 1 and 2 those of `other_pairs`.
 
-    Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level; drawn, a
-    level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.
+    Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level;
+    drawn, a level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.
     """
     a, b, d = _directions(drawing)
     rise = np.rad2deg([np.arctan2(abs(e[1]), abs(e[0])) for e in (d, a, b)])

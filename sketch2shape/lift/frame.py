@@ -9,6 +9,12 @@ import numpy as np
 from sketch2shape.lift.face import edge_vectors
 from sketch2shape.model import Floats
 
+#: edges this close to each other, or to a right angle, run along the same axes, radians
+_ALIGNED = np.deg2rad(3.0)
+
+#: part of the edges' squared length that must run along the axes
+_SHARE = 0.3
+
 
 def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
     """(3, 3) unit rows: width and height in the face, and the normal from the front to the back face.
@@ -23,17 +29,26 @@ def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
     aside = np.array([0.0, 0.0, -np.sign(normal[0]) or 1.0])  # level too, for a face that looks to the side
     level = _unit(np.cross(np.cross(normal, [1.0, 0.0, 0.0]), normal), aside)
     across = np.cross(normal, level)
-    flat = edge_vectors(front, sizes) @ np.c_[level, across]
-    length = np.hypot(*flat.T)
-    turn = 4.0 * np.arctan2(flat[:, 1], flat[:, 0])
-    # angles that are equal modulo 90 degrees add up when taken four times; squares favour long edges over many short
-    # ones
-    lean = float(np.arctan2((length**2) @ np.sin(turn), (length**2) @ np.cos(turn))) / 4.0
-    strength = np.hypot((length**2) @ np.sin(turn), (length**2) @ np.cos(turn)) / max(float((length**2).sum()), 1e-12)
-    if strength < 0.3:
-        lean = 0.0
+    lean = _lean(edge_vectors(front, sizes) @ np.c_[level, across])
     width = np.cos(lean) * level + np.sin(lean) * across
     return np.array([width, np.cross(normal, width), normal])
+
+
+def _lean(edges: Floats) -> float:
+    """Angle of the direction, between -45 and 45 degrees, that most of the edges (m, 2) run along or across, radians.
+
+    Squared lengths count, as a long edge says more than many short ones; 0 if no direction has its share.
+    """
+    weight = (edges**2).sum(axis=1)
+    angle = np.arctan2(edges[:, 1], edges[:, 0])
+    off = (angle[:, None] - angle + np.pi / 4) % (np.pi / 2) - np.pi / 4
+    support = (np.abs(off) < _ALIGNED) @ weight
+    best = int(support.argmax())
+    if support[best] < _SHARE * float(weight.sum()):
+        return 0.0
+    near = np.abs(off[:, best]) < _ALIGNED
+    mean = angle[best] + float(weight[near] @ off[near, best]) / float(weight[near].sum())
+    return float((mean + np.pi / 4) % (np.pi / 2) - np.pi / 4)
 
 
 def upright(vertices: Floats, axes: Floats, up: Literal["y", "z"]) -> tuple[Floats, Floats]:

@@ -13,7 +13,13 @@ from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
 from sketch2shape.lift.options import LiftOptions
-from sketch2shape.lift.parallel import axonometric_maps, axonometric_shape, oblique_shape, read_axonometric, read_oblique
+from sketch2shape.lift.parallel import (
+    axonometric_maps,
+    axonometric_shape,
+    oblique_shape,
+    read_axonometric,
+    read_oblique,
+)
 from sketch2shape.lift.perspective import facing_shape, perspective_shape
 from sketch2shape.lift.projection import Drawing, kind_of, prepare
 from sketch2shape.lift.shape import Shape
