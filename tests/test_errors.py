@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import pickle
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -40,3 +43,8 @@ def test_one_line_whatever_the_name_holds():
     line = errors.one_line("a\nb\x1b[31m\udcff.png", "bad", "good")
     assert line == "a\\nb\\x1b[31m\\udcff.png: bad. Try: good"
     assert errors.one_line("ä 图.png", "bad", "good").startswith("ä 图.png")
+
+
+def test_the_page_of_errors_is_made_from_the_tree():
+    script = Path(__file__).parents[1] / "scripts" / "make_error_page.py"
+    assert subprocess.run([sys.executable, str(script), "--check"], check=False).returncode == 0

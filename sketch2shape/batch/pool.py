@@ -14,7 +14,7 @@ import signal
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from dataclasses import dataclass
 from functools import partial
@@ -45,7 +45,7 @@ def run_tasks(
     jobs: int | None = None,
     timeout: float | None = None,
     max_memory: int | None = None,
-) -> Iterator[tuple[Task, Outcome]]:
+) -> Generator[tuple[Task, Outcome], None, None]:
     """Do tasks in worker processes, in the order in which they finish; a crash or hang fails only its own."""
     for task, value in run_each(tasks, work, jobs=jobs, timeout=timeout, max_memory=max_memory):
         yield task, report_failure(task, value) if isinstance(value, Sketch2ShapeError) else value
@@ -58,7 +58,7 @@ def run_each(
     jobs: int | None = None,
     timeout: float | None = None,
     max_memory: int | None = None,
-) -> Iterator[tuple[T, R | Sketch2ShapeError]]:
+) -> Generator[tuple[T, R | Sketch2ShapeError], None, None]:
     """Apply `work` to each item in worker processes; yield (item, value or error) as they finish.
 
     jobs       : number of workers; None: one for each core

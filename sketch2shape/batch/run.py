@@ -9,10 +9,9 @@ import sys
 import threading
 import time
 from argparse import Namespace
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from sketch2shape.batch.manifest import Manifest, Past, load_past, options_hash
 from sketch2shape.batch.pages import check_pages, wants_pages, write_pages
@@ -137,20 +136,23 @@ class _Batch:
             progress.say(f"{self.plan.renamed} inputs share their stem; their outputs carry the full name")
 
     def _work_off(self, manifest: Manifest, progress: Progress) -> None:
-        run: Any = run_tasks(
-            self._tasks(),
-            self.work,
-            jobs=self.arguments.jobs,
-            timeout=self.arguments.timeout or _TIMEOUT,
-            max_memory=self.arguments.max_memory or _MEMORY,
-        )
-        with contextlib.closing(run):
+        with contextlib.closing(self._start()) as run:
             for task, outcome in run:
                 self.outcomes[outcome.name] = outcome
                 manifest.add(outcome)
                 progress.advance(task, outcome)
                 if outcome.exit_code and self.arguments.fail_fast:
                     return
+
+    def _start(self) -> Generator[tuple[Task, Outcome], None, None]:
+        """Begin to work, on this machine or on a cluster; paths in the outcomes are those of the plan."""
+        timeout = self.arguments.timeout or _TIMEOUT
+        if self.arguments.scheduler:
+            from sketch2shape.batch.cluster import run_on_cluster
+
+            return run_on_cluster(self._tasks(), self.work, scheduler=self.arguments.scheduler, timeout=timeout)
+        memory = self.arguments.max_memory or _MEMORY
+        return run_tasks(self._tasks(), self.work, jobs=self.arguments.jobs, timeout=timeout, max_memory=memory)
 
     def _tasks(self) -> Iterator[Task]:
         replace_files = self.arguments.overwrite or self.arguments.resume
