@@ -187,6 +187,15 @@ def encode_png(pixels: Pixels) -> bytes:
     return data.tobytes()
 
 
+def encode_jpeg(pixels: Pixels) -> bytes:
+    """The picture as JPEG bytes: smaller, for thumbnails and photos."""
+    options = [cv2.IMWRITE_JPEG_QUALITY, 86]
+    ok, data = cv2.imencode(".jpg", np.ascontiguousarray(pixels[..., ::-1]), options)
+    if not ok:
+        raise ValueError(f"OpenCV could not encode a picture of shape {pixels.shape}")
+    return data.tobytes()
+
+
 def _fixed(points: Floats) -> NDArray[np.int32]:
     """Points in OpenCV's fixed-point coordinates, kept inside what it can hold."""
     return np.clip(np.rint(points * (1 << _SUBPIXEL_BITS)), -(2**30), 2**30).astype(np.int32)

@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 import numpy as np
 
-from sketch2shape.pictures.canvas import Canvas, Pixels, encode_png, fit, shorten
+from sketch2shape.pictures.canvas import Canvas, Pixels, encode_jpeg, fit, shorten
 from sketch2shape.pictures.palette import BACKDROP, DONE, FAILED, INK, MUTED, PAPER, RULE, css
 from sketch2shape.pictures.viewer import data_uri
 
@@ -101,7 +101,7 @@ def _html_card(entry: Entry) -> str:
     picture = '<div class="none">no picture</div>'
     if entry.thumbnail is not None:
         small, _ = fit(entry.thumbnail, _WIDTH * 2, _HEIGHT * 2)
-        picture = f'<img src="{data_uri(encode_png(small))}" alt="The object found in {name}">'
+        picture = f'<img src="{data_uri(encode_jpeg(small), "jpeg")}" alt="The object found in {name}">'
     links = " ".join(f'<a href="{escape(quote(to))}">{escape(words)}</a>' for words, to in entry.links)
     kind = "bad" if entry.message is not None else "good"
     return f'<li class="{kind}">{picture}<h2>{name}</h2><p>{status}</p><p class="links">{links}</p></li>'

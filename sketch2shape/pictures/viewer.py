@@ -65,9 +65,9 @@ def shape_json(result: Result) -> str:
     return json.dumps(shape(result), separators=(",", ":")).replace("<", "\\u003c")
 
 
-def data_uri(png: bytes) -> str:
-    """A PNG as an address that holds the picture itself."""
-    return "data:image/png;base64," + b64encode(png).decode("ascii")
+def data_uri(data: bytes, kind: str = "png") -> str:
+    """The bytes of a PNG, or of another kind of picture, as an address that holds the picture itself."""
+    return f"data:image/{kind};base64," + b64encode(data).decode("ascii")
 
 
 @cache

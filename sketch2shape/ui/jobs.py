@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import io
-from base64 import b64encode
 from typing import Any
 
 import numpy as np
@@ -11,12 +9,13 @@ import numpy as np
 from sketch2shape.corrections import corrected, corrections_from, points_from
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.model import Floats, Picture
-from sketch2shape.pictures.canvas import Pixels, encode_png, fit
+from sketch2shape.pictures.canvas import Pixels, encode_jpeg, encode_png, fit
 from sketch2shape.pictures.stages import stage_panels
 from sketch2shape.pictures.viewer import data_uri, shape
 from sketch2shape.result import Result
 
 _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
+_MOST_CORNERS = 400  # that the page snaps to
 _MOST_SIDE = 40_000  # of a picture that corrections claim to belong to
 
 
@@ -29,6 +28,7 @@ def warm_up() -> None:
 
 def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
     """Find the objects of an uploaded picture: all that the page shows of it."""
+    from sketch2shape.detectors import detect_corners
     from sketch2shape.read import read_picture
     from sketch2shape.reconstruct import reconstruct
 
@@ -47,7 +47,7 @@ def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
         "height": picture.pixels.shape[0],
         "picture": _shown(picture.pixels),
         "stages": _stages(found),
-        "corners": [],
+        "corners": _rounded(detect_corners(picture).vertices[:_MOST_CORNERS]),
         "problem": problem,
     }
 
@@ -146,11 +146,7 @@ def _stages(result: Result) -> list[dict[str, str]]:
 
 
 def _shown(pixels: Pixels) -> str:
-    """The picture as an address for the page, JPEG, reduced to a size worth sending."""
-    from PIL import Image
-
+    """The picture as an address for the page, reduced to a size worth sending."""
     h, w = pixels.shape[:2]
     small = fit(pixels, min(w, _SHOWN), min(h, _SHOWN))[0] if max(h, w) > _SHOWN else pixels
-    out = io.BytesIO()
-    Image.fromarray(small).save(out, "JPEG", quality=88)
-    return "data:image/jpeg;base64," + b64encode(out.getvalue()).decode("ascii")
+    return data_uri(encode_jpeg(small), "jpeg")

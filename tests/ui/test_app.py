@@ -37,6 +37,7 @@ def test_a_drawing_becomes_objects_a_solid_and_stages(app: TestClient, box_png: 
     assert found["problem"] is None
     assert len(found["objects"][0]["f1"]) == 4
     assert len(found["solid"]["vertices"]) == 8
+    assert len(found["corners"]) >= 8
     assert [s["title"] for s in found["stages"]][-1] == "Solid"
     assert found["picture"].startswith("data:image/")
 
