@@ -9,6 +9,7 @@ but the package is needed.
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -83,20 +84,20 @@ def draw_pictures(result: s2s.Result, folder: Path) -> None:
         (folder / f"stage-{k}.png").write_bytes(encode_png(stage.pixels))
 
 
-def draw_gallery(folder: Path) -> None:
+def draw_gallery(folder: Path, names: Iterable[str] = EXAMPLES) -> None:
     """Many results at once: a contact sheet and an index."""
     entries = []
-    for name, example in EXAMPLES.items():
+    for name in names:
         result = s2s.reconstruct(example_png(name))
         confidence = result.objects[0].confidence
-        entries.append(Entry(example.title, overlay(result, legend=False), confidence))
+        entries.append(Entry(EXAMPLES[name].title, overlay(result, legend=False), confidence))
         (folder / f"solid-{name}.png").write_bytes(encode_png(preview_of(result, (480, 360))))
     entries.append(Entry("blank.png", message="the picture is blank: no ink was found"))
     (folder / "contact-sheet.png").write_bytes(encode_png(contact_sheet(entries, columns=3)))
     (folder / "index.html").write_text(folder_index(entries, "examples"), "utf-8")
 
 
-def main(folder: Path) -> None:
+def main(folder: Path, names: Iterable[str] = EXAMPLES) -> None:
     """Run every example and write its pictures."""
     folder.mkdir(parents=True, exist_ok=True)
     drawing = example_png("isometric")
@@ -106,7 +107,7 @@ def main(folder: Path) -> None:
     print(f"corrected: {correct(result).solids[0].unit}, {correct(result).objects[0].connectors}")
     refuse()
     draw_pictures(s2s.Result(result.objects, result.solids, Picture(result.picture.pixels, "isometric.png")), folder)
-    draw_gallery(folder)
+    draw_gallery(folder, names)
 
 
 if __name__ == "__main__":

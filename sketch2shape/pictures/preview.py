@@ -55,7 +55,8 @@ def preview(
         up = stand(solids[0], drawing)
         shape, rotation = surface(solids, up.rotation), turn(*(view or up.view))
         scene = _project(shape.vertices, rotation, w, h)
-        image = _shadow(image, shape, rotation)
+        if (rotation @ [0, 1, 0])[2] > -1e-9:  # from below the floor would hide the solid
+            image = _shadow(image, shape, rotation)
         depth = _fill(image, shape, scene)
         _draw_edges(image, shape, scene, depth)
     return cv2.resize(image, size, interpolation=cv2.INTER_AREA).astype(np.uint8)

@@ -15,6 +15,7 @@ from typing import Any
 from urllib.parse import unquote
 
 from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
 from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
@@ -194,7 +195,7 @@ async def _example(request: Request) -> Response:
     name = request.path_params["name"]
     if name not in EXAMPLES:
         return Refusal(404, "there is no such example").response()
-    return Response(example_png(name), media_type="image/png")
+    return Response(await run_in_threadpool(example_png, name), media_type="image/png")
 
 
 async def _plain_refusal(_request: Request, error: Exception) -> Response:

@@ -18,7 +18,7 @@ class Example:
 
 EXAMPLES: dict[str, Example] = {
     "wireframe": Example("Wireframe", "clean_wire_oblique", 3),
-    "isometric": Example("Isometric, hidden edges dashed", "clean_dashed_axono", 7, "L"),
+    "isometric": Example("Isometric, hidden edges dashed", "clean_dashed_axono", 4, "L"),
     "perspective": Example("In perspective", "clean_wire_persp", 8),
     "hole": Example("With a hole", "holes_dashed", 3),
     "hand": Example("Drawn by hand", "hand_wire", 2),
