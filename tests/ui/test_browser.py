@@ -80,14 +80,20 @@ def box_file(box_png: bytes, tmp_path: Path) -> Path:
     return path
 
 
-def vertex(page: Chrome, face: int, index: int) -> Any:
+def selector(face: int, index: int) -> str:
     name = json.dumps({"object": 0, "ring": 0, "face": face, "index": index}, separators=(",", ":"))
-    return page.find_element(By.CSS_SELECTOR, f"[data-name='{name}'] .spot")
+    return f"[data-name='{name}'] .spot"
+
+
+def vertex(page: Chrome, face: int, index: int) -> Any:
+    return page.find_element(By.CSS_SELECTOR, selector(face, index))
 
 
 def place(page: Chrome, face: int, index: int) -> tuple[float, float]:
-    spot = vertex(page, face, index)
-    return float(spot.get_attribute("cx")), float(spot.get_attribute("cy"))
+    """Where a vertex is, pixels of the picture; asked in one go, since the page may paint in between."""
+    ask = "const s = document.querySelector(arguments[0]); return [+s.getAttribute('cx'), +s.getAttribute('cy')]"
+    x, y = page.execute_script(ask, selector(face, index))
+    return x, y
 
 
 def downloaded(folder: Path, name: str) -> Path:
@@ -158,7 +164,7 @@ def test_a_box_drawn_with_the_mouse_becomes_a_solid(page: Chrome) -> None:
 def test_a_real_size_scales_the_solid_at_once(page: Chrome, box_file: Path) -> None:
     upload(page, box_file)
     page.find_element(By.ID, "size-value").send_keys("40")
-    wait(lambda: re.fullmatch(r"40 × [1-9].* mm", page.find_element(By.CSS_SELECTOR, "#facts dd").text))
+    wait(lambda: re.search(r"\b40 (×.*)?mm$", page.find_element(By.CSS_SELECTOR, "#facts dd").text))
 
 
 def test_vertices_are_added_deleted_and_given_to_the_other_face(page: Chrome, box_file: Path) -> None:
