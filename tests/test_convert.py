@@ -18,7 +18,6 @@ from sketch2shape.convert import Output, Settings, Task, as_known, convert, fail
 from sketch2shape.errors import CrashError, LimitError, NoObjectError
 from sketch2shape.limits import Limits
 
-
 PIPELINE = import_module("sketch2shape.reconstruct")
 
 

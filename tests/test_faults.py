@@ -1,0 +1,53 @@
+"""The campaigns of damage, small."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from benchmarks.faults import bombs, leak, names, rasters, reader
+from benchmarks.faults.samples import mutated, samples
+from sketch2shape.read import read_picture
+
+
+@pytest.mark.parametrize("name", samples())
+def test_samples_are_sound_until_they_are_damaged(name):
+    data = samples()[name]
+    assert read_picture(data).pixels.size
+    assert any(mutated(data, np.random.default_rng(i)) != data for i in range(3))
+
+
+def test_damaged_files_give_typed_errors():
+    assert reader.run(300, jobs=1)["findings"] == []
+
+
+def test_bombs_are_refused():
+    found = bombs.bombs()
+    assert len(found) >= 20
+    for name in ("rgb.png", "strips.tif", "canvas.webp", "text.png"):
+        assert len(found[name]) < 2**20
+    kinds = {name: _refusal(data) for name, data in found.items()}
+    assert set(kinds.values()) == {"LimitError", "UnreadableError"}
+    assert kinds["rgb.png"] == kinds["canvas.webp"] == kinds["large.tif"] == "LimitError"
+
+
+def _refusal(data):
+    try:
+        read_picture(data)
+    except Exception as error:
+        return type(error).__name__
+
+
+def test_odd_names_give_one_output_each():
+    assert names.run(25)["findings"] == []
+
+
+def test_conversions_leave_no_descriptor_open():
+    outcome = leak.run(60)
+    assert outcome["file descriptors"][0] == outcome["file descriptors"][1]
+
+
+def test_rasters_are_the_same_for_the_same_number():
+    for number in range(14):
+        assert (rasters.hostile(number)[1] == rasters.hostile(number)[1]).all()
+    assert rasters.try_raster(0)[0] == "NoObjectError"
