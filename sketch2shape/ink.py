@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from sketch2shape.clutter import without_clutter
 from sketch2shape.fills import without_fills
 from sketch2shape.ground import read_ground
+from sketch2shape.hatching import without_hatching
 from sketch2shape.model import Bools, Floats, Ink, Picture
 from sketch2shape.page import find_page, page_homography
 from sketch2shape.paper import noise_of, paper_marks, without_bands
@@ -44,6 +45,7 @@ def find_ink(picture: Picture) -> Ink:
     contrast = without_fills(without_bands(contrast, floor), floor)
     ringing = ringing_of(contrast)
     mask = ink_mask(contrast, floor, ringing)
+    mask = without_hatching(mask)
     mask = without_clutter(mask, contrast, noisy=ringing > 0.0 or noise > 0.5)
     peak = float(np.percentile(contrast[mask], 90)) if mask.any() else 255.0
     strength = np.minimum(contrast.astype(np.float32) / max(peak, 1.0), 1.0)
