@@ -97,7 +97,7 @@ def _polygon(contour: NDArray[Any], tolerance: float, pen: float) -> Floats:
     corners = contour[at].astype(float)
     side = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
     long = side > 2.0 * pen
-    vertices = corners.copy()
+    vertices: Floats = corners.copy()
     for k in range(n):
         if long[k] and long[k - 1]:
             tip = _meet(lines[k - 1], lines[k])

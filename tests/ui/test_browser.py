@@ -213,6 +213,30 @@ def test_an_object_is_traced_where_none_was_found(page: Chrome, tmp_path: Path) 
     assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
 
 
+def test_single_vertices_are_told_apart_and_connected(page: Chrome, tmp_path: Path) -> None:
+    import cv2
+    import numpy as np
+
+    blank = tmp_path / "white.png"
+    cv2.imwrite(str(blank), np.full((400, 500, 3), 255, np.uint8))
+    page.find_element(By.ID, "file").send_keys(str(blank))
+    wait(lambda: "Trace it by hand" in message(page))
+    page.find_element(By.CSS_SELECTOR, "[data-tool=add]").click()
+    editor = page.find_element(By.ID, "editor")
+    corners = [FRONT[k] for k in (0, 2, 1, 3)]  # in no order
+    for x, y in [*corners, *((x + SHIFT[0], y + SHIFT[1]) for x, y in reversed(corners))]:
+        ActionChains(page).move_to_element_with_offset(editor, x, y).click().perform()
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex.f0")) == 8
+    for k in range(8):
+        loose = page.find_element(By.CSS_SELECTOR, f"[data-name='{{\"loose\":{k}}}']")
+        loose.send_keys("f")
+        if k >= 4:
+            page.switch_to.active_element.send_keys("f")
+    wait(lambda: volume(page) > 0)
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex.f1")) == 4
+    assert not page.find_elements(By.CSS_SELECTOR, "g.vertex.f0")
+
+
 def test_corrections_are_saved_and_read_back(page: Chrome, box_file: Path, downloads: Path) -> None:
     upload(page, box_file)
     vertex(page, 1, 0).find_element(By.XPATH, "..").send_keys(Keys.ARROW_LEFT)

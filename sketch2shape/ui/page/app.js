@@ -10,13 +10,13 @@ const EMPTY = { objects: [], loose: [] };
 
 const open = { blob: null, name: "", width: 0, height: 0, confidence: null };
 const history = new History(EMPTY);
-let state = EMPTY, selected = 0, loading = 0;
+let state = EMPTY, selected = 0, loading = 0, moving = false, families = [];
 
 const solid = new SolidView($("solid"));
 const pad = new Sketchpad($("pad"));
 const editor = new Editor($("editor"), {
   hint: words => { $("hint").textContent = words; },
-  change: (next, done) => { state = next; if (done) history.push(state); followed(); },
+  change: (next, done) => { state = next; moving = !done; if (done) history.push(state); followed(); },
   choose: name => { if (name.object !== undefined && name.object !== selected) { selected = name.object; settings(); } },
 });
 
@@ -62,6 +62,7 @@ function show(found, blob, name) {
   selected = 0;
   editor.open(found.picture, found.width, found.height, state, found.corners);
   view("editor");
+  families = found.facts.map(f => f.projection);
   showSolid(found);
   solid.home();
   showStages(found.stages);
@@ -81,12 +82,16 @@ let lifting = false, again = false;
 async function followed() {
   buttons();
   if (!state.objects.length) { showSolid({ solid: { vertices: [], triangles: [], edges: [] }, facts: [] }); return joinLoose(); }
+  if (!moving && state.loose.length && state.loose.every(v => v.face)) joinLoose();
   if (lifting) { again = true; return null; }
   lifting = true;
   try {
     do {
       again = false;
-      showSolid(await server.lift(shape.corrections(state, open.width, open.height)));
+      const still = !moving;
+      const found = await server.lift(shape.corrections(state, open.width, open.height, still ? [] : families));
+      if (still) families = found.facts.map(f => f.projection);
+      showSolid(found);
       say("The solid follows your changes.");
     } while (again);
   } catch (error) {
@@ -98,10 +103,15 @@ async function followed() {
   return null;
 }
 
-/* loose vertices told apart into as many front as back ones become an object */
+/* loose vertices become an object once each is told to be of the front or the back and there are as many of both */
 async function joinLoose() {
+  const undecided = state.loose.filter(v => !v.face).length;
   const [front, back] = [1, 2].map(face => state.loose.filter(v => v.face === face).map(v => [v.x, v.y]));
   if (!front.length && !back.length) return;
+  if (undecided) {
+    say(`${front.length} front and ${back.length} back vertices; ${undecided} still without a face: click them with the Faces tool.`);
+    return;
+  }
   if (front.length !== back.length || front.length < 3) {
     say(`The front face has ${front.length} vertices and the back face ${back.length}: they need as many as each other, at least three.`);
     return;
@@ -109,7 +119,7 @@ async function joinLoose() {
   try {
     const { f1, f2 } = await server.connect(front, back);
     const next = shape.withObject(state, f1, f2);
-    next.loose = next.loose.filter(v => !v.face);
+    next.loose = [];
     change(next);
   } catch (error) {
     say(error.message, true);
@@ -227,6 +237,7 @@ async function take(file) {
 /* ---- wiring */
 $("file").addEventListener("change", e => { if (e.target.files[0]) take(e.target.files[0]); e.target.value = ""; });
 $("draw").addEventListener("click", () => { view("pad"); say("Draw the object, then choose Make the solid."); });
+$("back").addEventListener("click", () => { view(open.blob ? "editor" : "welcome"); say("The drawing is kept for later."); });
 $("make").addEventListener("click", async () => load(await pad.picture(), "my drawing.png"));
 $("clear").addEventListener("click", () => { pad.clear(); buttons(); });
 $("straight").addEventListener("change", e => { pad.straight = e.target.checked; });

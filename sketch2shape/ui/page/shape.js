@@ -113,10 +113,12 @@ export function withObject(state, f1, f2) {
   return next;
 }
 
-/* what the server and the command take: the corrections file */
-export function corrections(state, width, height) {
-  const objects = state.objects.map(o => {
-    const said = { f1: o.f1, f2: o.f2, holes: o.holes, projection: o.projection };
+/* what the server and the command take: the corrections file; `families` are kept where the projection is to be told
+   from the drawing, as while a vertex is on its way and the drawing is not what it will be */
+export function corrections(state, width, height, families = []) {
+  const objects = state.objects.map((o, k) => {
+    const projection = o.projection === "auto" && families[k] || o.projection;
+    const said = { f1: o.f1, f2: o.f2, holes: o.holes, projection };
     if (Number(o.size.value) > 0) said[o.size.name] = `${Number(o.size.value)}${o.size.unit}`;
     return said;
   });
