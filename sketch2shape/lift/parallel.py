@@ -6,20 +6,23 @@ across it, the true face is the drawn one stretched by 1 / cos(slant) along t, i
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.lift.regularity import Relations, bearings, between, find_relations, log_odds, score
+from sketch2shape.lift.face import edge_vectors
+from sketch2shape.lift.regularity import Relations, bearings, between, log_odds, score
 from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Bools, Floats
 
 #: slants tried, radians: the face is never seen quite from the front nor quite from its edge
-_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 235))
+_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 157))
 
 #: drawn over true length of the receding edges of a cabinet drawing, the commonest oblique one
 CABINET = 0.5
+
+#: the same of a cavalier drawing
+CAVALIER = 1.0
 
 # : receding edges of an oblique drawing are not drawn level or upright (sine of the slack), least of all along the
 # face's : own edges, where they would hide the sides; the cost in log odds where they are
@@ -36,16 +39,12 @@ _OBLIQUE_PRIOR = 0.8
 class ParallelReading:
     """One way to read a parallel drawing of a prism.
 
-    family   : "oblique" or "axonometric"
-    slant    : angle between the face's normal and the line of sight, radians; 0 in an oblique drawing
-    odds     : log odds of this reading
-    evidence : numbers for the report
+    slant : angle between the face's normal and the line of sight, radians; 0 in an oblique drawing
+    odds  : log odds of this reading
     """
 
-    family: str
     slant: float
     odds: float
-    evidence: dict[str, Any] = field(default_factory=dict)
 
 
 def axonometric_maps(slants: Floats, d: Floats) -> Floats:
@@ -55,35 +54,33 @@ def axonometric_maps(slants: Floats, d: Floats) -> Floats:
     return np.eye(2) + (1.0 / np.cos(slants) - 1.0)[:, None, None] * along
 
 
-def read_axonometric(face: Floats, d: Floats, sizes: list[int], noise: float) -> ParallelReading:
+def read_axonometric(face: Floats, d: Floats, relations: Relations, noise: float) -> ParallelReading:
     """The best slant for a face drawn in an orthographic view, with the odds of there being one.
 
-    face  : (m, 2) pixels, all rings
-    d     : (2,) connecting vector, pixels
-    sizes : vertices of each ring
-    noise : standard deviation of a drawn vertex, pixels
+    face      : (m, 2) pixels, all rings
+    d         : (2,) connecting vector, pixels
+    relations : what could be regular about the face as drawn
+    noise     : standard deviation of a drawn vertex, pixels
     """
-    relations = find_relations(face, sizes, face, noise)
-    odds = _axonometric_odds(_SLANTS, relations, face, sizes, d, noise)
+    odds = _axonometric_odds(_SLANTS, relations, face, d, noise)
     best = float(_SLANTS[odds.argmax()])
     step = float(_SLANTS[1] - _SLANTS[0])
     for _ in range(2):
         near = np.clip(best + step * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
-        best = float(near[_axonometric_odds(near, relations, face, sizes, d, noise).argmax()])
+        best = float(near[_axonometric_odds(near, relations, face, d, noise).argmax()])
         step /= 8.0
     top = float(odds.max())
     whole = top + float(np.log(np.exp(odds - top).mean())) + _isometric_odds(relations, face, d, noise)
-    return ParallelReading("axonometric", best, whole, {"slant_deg": round(float(np.rad2deg(best)), 2)})
+    return ParallelReading(best, whole)
 
 
-def read_oblique(face: Floats, d: Floats, sizes: list[int], noise: float) -> ParallelReading:
+def read_oblique(face: Floats, d: Floats, relations: Relations, noise: float) -> ParallelReading:
     """The odds that the face is drawn in its true shape; arguments as in `read_axonometric`."""
-    relations = find_relations(face, sizes, face, noise)
     odds = float(score(relations, face[None], np.eye(2)[None], noise)[0])
     odds += _level_odds(relations, face, noise) + _OBLIQUE_PRIOR
     if min(abs(d)) < _STEEP * np.hypot(*d):
         odds -= _STEEP_COST * (1.0 + 3.0 * _along_edges(relations, face, d, noise))
-    return ParallelReading("oblique", 0.0, odds)
+    return ParallelReading(0.0, odds)
 
 
 def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -> Shape:
@@ -102,10 +99,14 @@ def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -
     return Shape("axonometric", flat, pose, np.array([*middle, 0.0]), depth, stretch, sizes, evidence=evidence)
 
 
-def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float | None) -> Shape:
-    """The face as drawn, with the depth that the ratio of drawn to true receding lengths gives; None: `CABINET`."""
+def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float | None, noise: float) -> Shape:
+    """The face as drawn, with the depth that the ratio of drawn to true receding lengths gives.
+
+    ratio : None for `CABINET`, or 1 (cavalier) if the receding edges are drawn just as long as some edge of the face
+    noise : standard deviation of a drawn vertex, pixels
+    """
     length = float(np.hypot(*d))
-    used = ratio or CABINET
+    used = ratio or _likely_ratio(face, sizes, length, noise)
     evidence = {
         "depth_ratio": used,
         "receding_deg": round(float(np.rad2deg(np.arctan2(-d[1], d[0]))), 2),
@@ -116,13 +117,17 @@ def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float | None
     )
 
 
-def _axonometric_odds(
-    slants: Floats, relations: Relations, face: Floats, sizes: list[int], d: Floats, noise: float
-) -> Floats:
+def _likely_ratio(face: Floats, sizes: list[int], length: float, noise: float) -> float:
+    edges = np.hypot(*edge_vectors(face, sizes).T)
+    off_full, off_half = (float(np.abs(edges - times * length).min()) for times in (1.0, 2.0))
+    return CAVALIER if off_full < 2.0 * noise and off_half > 2.0 * noise else CABINET
+
+
+def _axonometric_odds(slants: Floats, relations: Relations, face: Floats, d: Floats, noise: float) -> Floats:
     maps = axonometric_maps(slants, d)
     shapes = np.einsum("mi,gij->gmj", face, maps)
     odds = score(relations, shapes, maps, noise) + _view_prior(slants, d)
-    return odds + _gravity_odds(relations, shapes, maps, face[: sizes[0]], d, noise)
+    return odds + _gravity_odds(relations, shapes, maps, face[: relations.outer], d, noise)
 
 
 def _view_prior(slants: Floats, d: Floats) -> Floats:

@@ -82,8 +82,8 @@ def _rectified(points: Floats, page: Floats | None) -> Floats:
     if size <= 0.0:
         return points
     scale = float(np.linalg.norm(np.ptp(points, axis=0))) / size
-    rectified: Floats = (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
-    return rectified
+    placed: Floats = (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
+    return placed
 
 
 def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:

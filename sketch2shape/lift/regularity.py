@@ -32,6 +32,7 @@ class Relations:
 
     All vectors are sums of vertices, so that they can be taken from any candidate shape by one product.
 
+    outer      : vertices of the outer ring
     directions : (k, m) coefficients of the k edge directions, parallel edges summed
     lengths    : (k,) length in the drawing that each direction rests on, pixels
     edges      : (k,) number of edges summed in each direction
@@ -42,6 +43,7 @@ class Relations:
     sides      : (q, m) coefficients of the edges whose lengths are compared
     """
 
+    outer: int
     directions: Floats
     lengths: Floats
     edges: Ints
@@ -82,7 +84,7 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
         np.unique(np.c_[label, np.round(long / max(4.0 * noise, 0.01 * long.max()))], axis=0, return_index=True)[1]
     ]
     return Relations(
-        directions, lengths, np.bincount(label), np.c_[first, second], adjacent, axes, belief, one_each[:16]
+        sizes[0], directions, lengths, np.bincount(label), np.c_[first, second], adjacent, axes, belief, one_each[:16]
     )
 
 

@@ -22,6 +22,7 @@ from sketch2shape.lift.parallel import (
 )
 from sketch2shape.lift.perspective import facing_shape, perspective_shape
 from sketch2shape.lift.projection import Drawing, kind_of, prepare
+from sketch2shape.lift.regularity import find_relations
 from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Floats, Ints, Projection, Solid, TwoFaceObject
 
@@ -109,21 +110,23 @@ def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     sizes, noise = drawing.sizes, drawing.noise
     box = taper == 1.0 and is_box_like(drawing)
     true, true_order = true_pair(drawing) if box else (drawing, None)
-    flat = read_oblique(*_mean_face(true, taper), sizes=sizes, noise=noise)
     views = [(drawing, None), *(other_pairs(drawing) if box else [])]
-    readings = [read_axonometric(*_mean_face(pair, taper), sizes=sizes, noise=noise) for pair, _ in views]
+    faces = [_mean_face(pair, taper) for pair, _ in views]
+    relations = [find_relations(face, sizes, face, noise) for face, _ in faces]
+    readings = [read_axonometric(*face, r, noise) for face, r in zip(faces, relations, strict=True)]
+    flat = _oblique_odds(true, taper) if true is not drawing else read_oblique(*faces[0], relations[0], noise).odds
     likeliest = 0
     if box:
         leans = [_lean(pair, r.slant) for (pair, _), r in zip(views, readings, strict=True)]
         likeliest = max(standing_pairs(drawing), key=lambda k: readings[k].odds - _LEAN * leans[k])
-    odds = flat.odds - max(r.odds for r in readings)
+    odds = flat - max(r.odds for r in readings)
     oblique = odds >= 0 if options.projection not in ("oblique", "axonometric") else options.projection == "oblique"
     pair, order = (true, true_order) if oblique else views[likeliest]
     if order is not None:
         pair, order = _front_first(pair, order, drawing.relation.d)
     face, d = _mean_face(pair, taper)
     if oblique:
-        shape = oblique_shape(face, sizes, d, options.depth_ratio)
+        shape = oblique_shape(face, sizes, d, options.depth_ratio, noise)
     else:
         shape = axonometric_shape(face, sizes, d, readings[likeliest].slant)
     evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2), **shape.evidence}
@@ -134,6 +137,11 @@ def _front_first(pair: Drawing, order: Ints, d: Floats) -> tuple[Drawing, Ints]:
     """Another pair of a box's sides with the nearer one in front; d is the connecting vector of the pair as given."""
     chosen, swapped = receding(pair, d)
     return chosen, np.roll(order, 4) if swapped else order
+
+
+def _oblique_odds(drawing: Drawing, taper: float) -> float:
+    face, d = _mean_face(drawing, taper)
+    return read_oblique(face, d, find_relations(face, drawing.sizes, face, drawing.noise), drawing.noise).odds
 
 
 def _lean(pair: Drawing, slant: float) -> float:
