@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import fnmatch
 import json
+import multiprocessing
 import os
 import shlex
 import sys
@@ -96,7 +97,9 @@ def run(cases: list[Case], jobs: int, seconds: float) -> list[Case]:
     from pebble import ProcessPool
 
     outcomes = []
-    with ProcessPool(max_workers=jobs, initializer=_warm_up) as pool:
+    # Not forked from this process, whose pool threads may hold a lock at that moment.
+    context = multiprocessing.get_context("forkserver")
+    with ProcessPool(max_workers=jobs, initializer=_warm_up, context=context) as pool:
         results = pool.map(measure, cases, timeout=seconds, chunksize=1).result()
         for number, case in enumerate(cases):
             try:
