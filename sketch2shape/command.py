@@ -17,7 +17,7 @@ from sketch2shape.errors import UsageError, one_line
 from sketch2shape.limits import Limits
 from sketch2shape.products import PICTURES, infixed, product_of, suffix
 from sketch2shape.read import parse_page
-from sketch2shape.write import exists_error, sweep
+from sketch2shape.write import exists_error, sweep, write_stdout
 
 if TYPE_CHECKING:
     from sketch2shape.lift import LiftOptions
@@ -100,7 +100,7 @@ def _run_one(arguments: Namespace, settings: Settings, work: Work) -> int:
     outputs = _settle(_outputs_of(arguments), arguments)
     if arguments.dry_run:
         for output in outputs:
-            sys.stdout.write(f"{source}\t{output.path}\n")
+            write_stdout(os.fsencode(f"{source}\t{output.path}\n"))
         return 0
     for folder in {str(Path(o.path).parent) for o in outputs if o.path != "-"}:
         sweep(folder)

@@ -22,8 +22,8 @@ from sketch2shape.batch.table import check_table, encode_table, show_summary, su
 from sketch2shape.command import products_of
 from sketch2shape.convert import Outcome, Settings, Task
 from sketch2shape.errors import InterruptedRunError, UsageError
-from sketch2shape.products import PICTURES
-from sketch2shape.write import FolderLock, exists_error, make_folder, sweep, write_file
+from sketch2shape.products import PICTURES, product_of
+from sketch2shape.write import FolderLock, exists_error, make_folder, sweep, write_file, write_stdout
 
 Work = Callable[[Task], Outcome]
 
@@ -43,7 +43,8 @@ def run_batch(arguments: Namespace, settings: Settings, work: Work) -> int:
     past = load_past(out or common_folder(arguments.inputs))
     plan = _plan(arguments, out, products, past, options)
     if arguments.dry_run:
-        sys.stdout.writelines(f"{item.path}\t{o.path}\n" for item in plan.items for o in item.outputs)
+        lines = (f"{item.path}\t{output.path}\n" for item in plan.items for output in item.outputs)
+        write_stdout(b"".join(map(os.fsencode, lines)))
         return 0
     make_folder(plan.root)
     with FolderLock(plan.root):
@@ -71,9 +72,16 @@ def _out(arguments: Namespace) -> str | None:
     if not arguments.output:
         return None
     out = str(arguments.output[0])
-    if os.path.lexists(out) and not os.path.isdir(out):
+    if not os.path.isdir(out) and (os.path.lexists(out) or _is_product(out)):
         raise UsageError(f"{out} is a file, several inputs need a folder", remedy="-o FOLDER")
     return out
+
+
+def _is_product(name: str) -> bool:
+    """Whether a name is that of a mesh, a report or a picture."""
+    with contextlib.suppress(UsageError):
+        return bool(product_of(name))
+    return False
 
 
 def _plan(arguments: Namespace, out: str | None, products: list[str], past: Past, options: str) -> Plan:

@@ -147,7 +147,7 @@ def test_dry_run_and_contradictions(here, capsys):
     assert capsys.readouterr().out.splitlines()[0] == "in/0.png\tout/0.obj"
     assert not os.path.exists("out")
     (here / "file").write_text("")
-    for wrong in (["-o", "-"], ["-o", "a", "-o", "b"], ["-o", "file"], ["--report", "x.txt"]):
+    for wrong in (["-o", "-"], ["-o", "a", "-o", "b"], ["-o", "file"], ["-o", "new.obj"], ["--report", "x.txt"]):
         with pytest.raises(UsageError):
             command("in", *wrong)
 
