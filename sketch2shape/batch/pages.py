@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from sketch2shape.batch.plan import Planned
 from sketch2shape.convert import Outcome
-from sketch2shape.errors import Sketch2ShapeError, UsageError
+from sketch2shape.errors import NoObjectError, Sketch2ShapeError, UsageError
 from sketch2shape.write import write_file
 
 if TYPE_CHECKING:
@@ -52,7 +52,11 @@ def _entries(rows: Sequence[tuple[Planned, Outcome]], base: str) -> Iterable[Ent
     from sketch2shape.pictures import Entry
 
     for item, outcome in rows:
-        thumbnail = next((_thumbnail(o.path) for o in item.outputs if o.product == "overlay"), None)
+        overlays = [o.path for o in item.outputs if o.product == "overlay"]
+        shown = overlays[:1] if outcome.exit_code == 0 else []
+        if outcome.exit_code == NoObjectError.exit_code:
+            shown = [item.path]
+        thumbnail = _thumbnail(shown[0]) if shown else None
         links = [
             (o.product, PurePath(os.path.relpath(o.path, base)).as_posix())
             for o in item.outputs
@@ -62,7 +66,7 @@ def _entries(rows: Sequence[tuple[Planned, Outcome]], base: str) -> Iterable[Ent
 
 
 def _thumbnail(path: str) -> Pixels | None:
-    """The overlay that the run wrote, reduced; None where there is none."""
+    """The overlay that the run wrote, or a drawing in which nothing was found, reduced; None where there is none."""
     from sketch2shape.pictures.canvas import fit
     from sketch2shape.read import read_picture
 

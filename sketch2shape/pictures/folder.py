@@ -11,11 +11,13 @@ from urllib.parse import quote
 import numpy as np
 
 from sketch2shape.pictures.canvas import Canvas, Pixels, encode_jpeg, fit, shorten
-from sketch2shape.pictures.palette import BACKDROP, DONE, FAILED, INK, MUTED, PAPER, RULE, css
+from sketch2shape.pictures.palette import BACKDROP, DONE, DOUBT, FAILED, INK, MUTED, PAPER, RULE, Colour, css
 from sketch2shape.pictures.viewer import data_uri
 
 _WIDTH, _HEIGHT, _GAP, _CAPTION = 300, 220, 16, 46
 _MOST_CARDS = 500
+SURE = 0.9
+"""Confidence from which an answer need not be looked at."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,16 @@ class Entry:
         """The line of words under the thumbnail."""
         if self.message is not None:
             return self.message
-        return "done" if self.confidence is None else f"done, confidence {self.confidence:.2f}"
+        if self.confidence is None:
+            return "done"
+        return f"{'done' if self.confidence >= SURE else 'please check'}, confidence {self.confidence:.2f}"
+
+    @property
+    def colour(self) -> Colour:
+        """Of its mark: failed, to be checked, or done."""
+        if self.message is not None:
+            return FAILED
+        return DONE if self.confidence is None or self.confidence >= SURE else DOUBT
 
 
 def contact_sheet(entries: Iterable[Entry], columns: int = 5) -> Pixels:
@@ -66,18 +77,21 @@ def _row(cards: Sequence[Entry], columns: int) -> Pixels:
 
 def folder_index(entries: Iterable[Entry], title: str) -> str:
     """An HTML page with a card for each input: thumbnail, status and links; it loads nothing from elsewhere."""
-    cards, failed = [], 0
+    cards, failed, doubtful = [], 0, 0
     for entry in entries:  # one at a time, so that a long folder's thumbnails are never all in memory
         cards.append(_html_card(entry))
-        failed += entry.message is not None
+        failed += entry.colour == FAILED
+        doubtful += entry.colour == DOUBT
     return _PAGE.format(
         title=escape(title),
         count=len(cards),
         done=len(cards) - failed,
         failed=failed,
+        check=f", {doubtful} of them to be checked" if doubtful else "",
         cards="\n".join(cards),
         good=css(DONE),
         bad=css(FAILED),
+        doubt=css(DOUBT),
     )
 
 
@@ -90,10 +104,14 @@ def _card(canvas: Canvas, entry: Entry, left: int, top: int) -> None:
         small, _ = fit(entry.thumbnail, _WIDTH, _HEIGHT)
         h, w = small.shape[:2]
         canvas.paste(small, left + (_WIDTH - w) // 2, top + (_HEIGHT - h) // 2)
-    bad = entry.message is not None
-    canvas.box(left, top + _HEIGHT + 11, 8, 8, FAILED if bad else DONE)
+    canvas.box(left, top + _HEIGHT + 11, 8, 8, entry.colour)
     canvas.words((left + 14, top + _HEIGHT + 6), shorten(entry.name, 14, _WIDTH - 14, "end"), 14, INK)
-    canvas.words((left + 14, top + _HEIGHT + 25), shorten(entry.status, 12, _WIDTH - 14), 12, FAILED if bad else MUTED)
+    canvas.words(
+        (left + 14, top + _HEIGHT + 25),
+        shorten(entry.status, 12, _WIDTH - 14),
+        12,
+        MUTED if entry.colour == DONE else entry.colour,
+    )
 
 
 def _html_card(entry: Entry) -> str:
@@ -103,10 +121,12 @@ def _html_card(entry: Entry) -> str:
         small, _ = fit(entry.thumbnail, _WIDTH * 2, _HEIGHT * 2)
         picture = f'<img src="{data_uri(encode_jpeg(small), "jpeg")}" alt="The object found in {name}">'
     links = " ".join(f'<a href="{escape(quote(to))}">{escape(words)}</a>' for words, to in entry.links)
-    kind = "bad" if entry.message is not None else "good"
-    return f'<li class="{kind}">{picture}<h2>{name}</h2><p>{status}</p><p class="links">{links}</p></li>'
+    return (
+        f'<li class="{_CLASSES[entry.colour]}">{picture}<h2>{name}</h2><p>{status}</p><p class="links">{links}</p></li>'
+    )
 
 
+_CLASSES = {FAILED: "bad", DOUBT: "doubt", DONE: "good"}
 _PAGE = """<!doctype html>
 <html lang="en">
 <head>
@@ -124,17 +144,19 @@ _PAGE = """<!doctype html>
   li {{ background: #fff; border: 1px solid #dadee4; border-top: 4px solid {good}; border-radius: 8px;
        padding: 12px; overflow-wrap: anywhere }}
   li.bad {{ border-top-color: {bad} }}
+  li.doubt {{ border-top-color: {doubt} }}
   img, .none {{ width: 100%; height: 180px; object-fit: contain; display: grid; place-items: center; color: #59616d }}
   h2 {{ font-size: 1rem; font-weight: 600; margin: 10px 0 2px }}
   p {{ margin: 0; font-size: .9rem; color: #59616d }}
   .bad p:not(.links) {{ color: {bad} }}
+  .doubt p:not(.links) {{ color: {doubt} }}
   .links {{ margin-top: 8px; display: flex; flex-wrap: wrap; gap: 4px 14px }}
   a {{ color: #0062b2 }}
 </style>
 </head>
 <body>
 <h1>{title}</h1>
-<p class="sum">{count} pictures: {done} done, {failed} failed</p>
+<p class="sum">{count} pictures: {done} done{check}, {failed} failed</p>
 <ul>
 {cards}
 </ul>

@@ -19,6 +19,7 @@ BACKDROP: Colour = (246, 247, 249)
 SHADE: Colour = (126, 168, 214)
 FAILED: Colour = (176, 32, 44)
 DONE: Colour = (22, 120, 64)
+DOUBT: Colour = (168, 92, 0)
 
 
 def mix(a: Colour, b: Colour, part: float) -> Colour:

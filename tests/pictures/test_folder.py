@@ -21,6 +21,13 @@ def test_the_index_counts_links_and_tells_what_failed(box: Result) -> None:
     assert "<drawings>" not in page
 
 
+def test_an_unsure_answer_is_marked_to_be_checked() -> None:
+    page = folder_index([Entry("a.png", confidence=0.7), Entry("b.png", confidence=0.95)], "two")
+    assert "2 pictures: 2 done, 1 of them to be checked, 0 failed" in page
+    assert '<li class="doubt">' in page
+    assert "please check, confidence 0.70" in page
+
+
 def test_the_sheet_has_a_card_for_each_input(box: Result) -> None:
     one, many = contact_sheet(entries(box)[:1]), contact_sheet(entries(box) * 4)
     assert many.shape[0] > one.shape[0]
