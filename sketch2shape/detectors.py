@@ -16,7 +16,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.corners import Corners as Joined
-from sketch2shape.corners import join_ends
+from sketch2shape.corners import crossings, join_ends
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Bools, Floats, Ink, Ints
 from sketch2shape.strokes import Strokes
@@ -163,20 +163,19 @@ def _with_crossings(strokes: Strokes, pen: float) -> _Meetings:
     joined = join_ends(strokes, pen)
     arms = _arms(strokes, joined)
     kinds = [_kind(a, bool(on)) for a, on in zip(arms, joined.on, strict=True)]
-    degree = np.array([len(a) + 2 * bool(on) for a, on in zip(arms, joined.on, strict=True)], np.intp)
+    # a knot has no ends, but at least three strokes run through it
+    degree = np.array([len(a) + 2 * bool(on) if len(a) else 6 for a, on in zip(arms, joined.on, strict=True)], np.intp)
     near = strokes.tolerance + 2 * pen
     single = _single(joined.points, degree, near)
     vertices = [k for k in single if kinds[k] != "end"]
     ends = [k for k in single if kinds[k] == "end"]
-    crossings, crossing = _crossings(strokes, joined.points, near)
-    # three lines through one point are no accident: two vertices may coincide there
-    crossed: list[Kind] = ["multi" if d > 4 else "X" for d in crossing]
+    crossed, _ = crossings(strokes, joined.points, pen)
+    cross: list[Kind] = ["X" for _ in crossed]
     loose: list[Kind] = ["end" for _ in ends]
-    points = np.concatenate([joined.points[vertices], crossings, joined.points[ends]])
     return _Meetings(
-        points,
-        (*(kinds[k] for k in vertices), *crossed, *loose),
-        np.concatenate([degree[vertices], crossing, degree[ends]]),
+        np.concatenate([joined.points[vertices], crossed, joined.points[ends]]),
+        (*(kinds[k] for k in vertices), *cross, *loose),
+        np.concatenate([degree[vertices], np.full(len(crossed), 4), degree[ends]]).astype(np.intp),
     )
 
 
@@ -211,33 +210,6 @@ def _kind(arms: Floats, on: bool) -> Kind:
     if abs(widest - np.pi) <= STRAIGHT:
         return "T"
     return "W" if widest > np.pi else "Y"
-
-
-def _crossings(strokes: Strokes, corners: Floats, near: float) -> tuple[Floats, Ints]:
-    """(k, 2) where strokes cross away from all corners, and (k,) how many arms leave each crossing."""
-    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
-    i, j = np.triu_indices(len(a), 1)
-    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
-    lengths = strokes.lengths + 1e-9
-    ok = np.abs(det) > 0.1 * lengths[i] * lengths[j]
-    i, j, det = i[ok], j[ok], det[ok]
-    gap = a[j] - a[i]
-    s = (gap[:, 0] * span[j, 1] - gap[:, 1] * span[j, 0]) / det
-    t = (gap[:, 0] * span[i, 1] - gap[:, 1] * span[i, 0]) / det
-    inside = (s > 0) & (s < 1) & (t > 0) & (t < 1)
-    i, j = i[inside], j[inside]
-    points = a[i] + s[inside, None] * span[i]
-    free = ~_near(points, corners, near)
-    groups: list[tuple[list[Floats], set[int]]] = []
-    for p, pair in zip(points[free], np.c_[i, j][free].tolist(), strict=True):
-        home = next((g for g in groups if float(np.linalg.norm(g[0][0] - p)) <= near), None)
-        if home is None:
-            groups.append(([p], set(pair)))
-        else:
-            home[0].append(p)
-            home[1].update(pair)
-    middle = np.array([np.mean(g[0], axis=0) for g in groups]).reshape(-1, 2)
-    return middle, np.array([2 * len(g[1]) for g in groups], np.intp)
 
 
 def _near(points: Floats, proposals: Floats, reach: float) -> Bools:
