@@ -94,7 +94,7 @@ def serve(
         http="h11",
         loop="asyncio",
         lifespan="on",
-        limit_concurrency=64,
+        limit_concurrency=24,  # a browser opens six; each may hold one upload in memory
         timeout_keep_alive=5,
         timeout_graceful_shutdown=2,
     )

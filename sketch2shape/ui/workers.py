@@ -38,20 +38,22 @@ class WorkerPool:
     """Worker processes that are replaced when they fail."""
 
     def __init__(self, workers: int = 2, *, most_waiting: int = 16, memory: int = 4 * 2**30) -> None:
-        """Start lazily `workers` processes of at most `memory` bytes each; refuse work beyond `most_waiting` tasks."""
+        """Start `workers` processes of at most `memory` bytes each; refuse work beyond `most_waiting` tasks."""
         self._workers, self._memory, self._most, self._count = workers, memory, most_waiting, 0
         self._pool = self._start()
 
     def _start(self) -> ProcessPool:
         from pebble import ProcessPool
 
-        return ProcessPool(
+        pool = ProcessPool(
             max_workers=self._workers,
             max_tasks=500,  # a fresh process now and then, whatever a library may leak
             initializer=_prepare,
             initargs=[self._memory],
             context=multiprocessing.get_context("spawn"),
         )
+        pool.schedule(abs, args=[0])  # the processes start with the first task: let that not be a person's
+        return pool
 
     async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
         """See Workers."""
