@@ -48,6 +48,7 @@ def refine(rings: Rings, points: Floats, reach: float, drawn: Bools, stiffness: 
     sizes = [len(r) for r in rings.front]
     edges = ring_edges(sizes)
     start = v = rings.vertices
+    points = points[:: max(1, len(points) // 1500)]
     lines = None
     for step in range(STEPS):
         lines = _measure(v, edges, points, reach if step == 0 else 0.7 * reach)
@@ -79,12 +80,14 @@ def _measure(v: Floats, edges: Ints, points: Floats, reach: float) -> EdgeLines:
     inside = (along > end) & (along < length - end) & (across <= reach)
     across = np.where(inside, across, np.inf)
     nearest = across.argmin(axis=1)
+    # skeleton pixels per pixel of length, as the points may have been thinned out
+    density = min(1.0, 1.5 * len(points) / float(length.sum()))
     # ink that two nearly parallel edges could claim tells nothing about either; at a crossing it does no harm
     claims = inside.sum(axis=1)
     found = []
     for e in range(len(edges)):
         mine = inside[:, e] & ((claims == 1) | (nearest == e))
-        if mine.sum() < max(4.0, 0.2 * length[e]):
+        if mine.sum() < max(4.0, 0.2 * length[e] * density):
             continue
         own = points[mine]
         centre, direction = fit_line(own)

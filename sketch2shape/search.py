@@ -20,7 +20,7 @@ from sketch2shape.refine import refine
 from sketch2shape.regions import enclosed_regions, without_edge
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, coverage, thin, trace_strokes
-from sketch2shape.verify import Evidence, Rings, Sheet, front_support, judge, plausible, skeleton_sheet
+from sketch2shape.verify import Evidence, Rings, Sheet, judge, plausible, skeleton_sheet, worth_judging
 
 GOOD = 0.975
 PERFECT = 0.995
@@ -28,6 +28,8 @@ LEAST_CONFIDENCE = 0.7
 """Below this a group of ink beside an object is not taken for a second one."""
 LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
+HOPELESS = 0.1
+"""Refinement rarely gains more than this."""
 SHORTLIST = 5
 FLAT = 0.35
 """A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
@@ -175,8 +177,14 @@ def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
         best = _shortlist(caps.caps(graph, regions, pen), sheet, best)
         if tolerant.loose and (not best or best[0][1].score < GOOD):
             best = _shortlist(caps.loose_caps(graph, regions, pen), sheet, best)
-    refined = [_refined(skeleton, rings, evidence, sheet) for rings, evidence in best]
-    return max(refined, key=_merit, default=None)
+    found: Found | None = None
+    for rings, evidence in best:
+        if found is not None and evidence.score < found.evidence.score - HOPELESS:
+            break
+        refined = _refined(skeleton, rings, evidence, sheet)
+        if found is None or _merit(refined) > _merit(found):
+            found = refined
+    return found
 
 
 def _merit(found: Found) -> float:
@@ -193,7 +201,7 @@ def _shortlist(
         if count >= MOST_HYPOTHESES:
             break
         key = np.round(rings.vertices / 2).tobytes()
-        if key in seen or not plausible(rings, 1.5 * sheet.pen) or front_support(rings, sheet) < 0.7:
+        if key in seen or not plausible(rings, 1.5 * sheet.pen) or not worth_judging(rings, sheet):
             continue
         seen.add(key)
         evidence = judge(rings, sheet)

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from sketch2shape.model import Bools, Floats, Lines, ring_edges
 from sketch2shape.strokes import coverage
 
-SAMPLES = 40
-WAY_BACK = 24
+SAMPLES = 32
+WAY_BACK = 20
 SMALLEST_FACE = 0.03
 """Least area of the smaller face, as a part of the larger one."""
 
@@ -134,12 +134,23 @@ def edge_samples(rings: Rings, samples: int = SAMPLES) -> tuple[Floats, Floats]:
     return a + s * (b - a), base_a + s * (base_b - base_a)
 
 
-def front_support(rings: Rings, sheet: Sheet) -> float:
-    """Part of the front face's outline that has ink: a quick first check, as the front is always seen."""
-    a = np.concatenate(rings.front)
-    b = np.concatenate([np.roll(r, -1, axis=0) for r in rings.front])
-    length = np.linalg.norm(b - a, axis=1)
-    return float(coverage(sheet.distance, a, b, sheet.reach, 24) @ length / (length.sum() + 1e-9))
+def worth_judging(rings: Rings, sheet: Sheet) -> bool:
+    """A quick first check: the front is always seen whole, and so are two connecting edges and one edge of the back."""
+    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
+    after = np.concatenate([np.roll(np.arange(n), -1) + s for n, s in _spans(rings)])
+    a = np.concatenate([front, front, back])
+    b = np.concatenate([front[after], back, back[after]])
+    share = coverage(sheet.distance, a, b, sheet.reach, 16).reshape(3, -1)
+    length = np.linalg.norm(front[after] - front, axis=1)
+    if share[0] @ length < 0.7 * length.sum():
+        return False
+    return bool((share[1] > 0.55).sum() >= 2 and (share[2] > 0.55).any())
+
+
+def _spans(rings: Rings) -> list[tuple[int, int]]:
+    """Size and start of every ring of one face."""
+    sizes = [len(r) for r in rings.front]
+    return list(zip(sizes, np.cumsum([0, *sizes[:-1]]).tolist(), strict=True))
 
 
 def hidden_samples(rings: Rings, margin: float) -> tuple[Bools, Bools]:
@@ -150,15 +161,17 @@ def hidden_samples(rings: Rings, margin: float) -> tuple[Bools, Bools]:
     points, base = edge_samples(rings)
     low = np.floor(np.minimum(points.min(axis=(0, 1)), base.min(axis=(0, 1)))) - 3
     high = np.ceil(np.maximum(points.max(axis=(0, 1)), base.max(axis=(0, 1)))) + 3
-    factor = min(1.0, 400.0 / max(float((high - low).max()), 1.0))
+    factor = min(1.0, 300.0 / max(float((high - low).max()), 1.0))
     inside = _interior(rings, low, high, factor, margin)
+    behind = np.concatenate([np.repeat([False, True, True], len(r)) for r in rings.front])
+    start = ((base[behind] - low) * factor + 0.5).astype(np.float32)
+    way = ((points - base)[behind] * factor).astype(np.float32)
+    depth = np.zeros(points.shape[:2], np.uint8)
     # the near end of the way back lies on the outline itself, the far end is the point: its own cap counts too
-    s = np.linspace(0.0, 1.0, WAY_BACK)[None, None, :, None]
-    way = base[:, :, None] + s * (points - base)[:, :, None]
-    at = np.clip(((way - low) * factor).round().astype(np.intp), 0, np.array(inside.shape[::-1]) - 1)
-    depth = inside[at[..., 1], at[..., 0]].max(axis=2)
-    front = np.concatenate([np.repeat([True, False, False], len(r)) for r in rings.front])
-    depth[front] = 0
+    s = np.linspace(0.0, 1.0, WAY_BACK, dtype=np.float32)[:, None, None]
+    x = (start[..., 0] + s * way[..., 0]).astype(np.int32)
+    y = (start[..., 1] + s * way[..., 1]).astype(np.int32)
+    depth[behind] = inside[np.clip(y, 0, inside.shape[0] - 1), np.clip(x, 0, inside.shape[1] - 1)].max(axis=0)
     return depth == 2, depth >= 1
 
 
@@ -241,15 +254,15 @@ def _explained(points: Floats, shown: Bools, sheet: Sheet) -> float:
     """Weighted part of the skeleton within reach of the shown parts of the edges."""
     if not len(sheet.points):
         return 0.0
-    h, w = sheet.distance.shape
-    canvas = np.zeros((h, w), np.uint8)
+    canvas = np.zeros(sheet.distance.shape, np.uint8)
     thickness = max(1, int(2 * sheet.reach + 1.5))
-    for edge, show in zip(points, shown, strict=True):
-        for run in _runs(show):
-            a, b = edge[run[0]], edge[run[1]]
-            step = (edge[1] - edge[0]) / 2
-            ends = np.clip(np.rint([a - step, b + step]), -30000, 30000).astype(int)
-            cv2.line(canvas, ends[0].tolist(), ends[1].tolist(), 1, thickness)
+    step = (points[:, 1] - points[:, 0]) / 2
+    low = np.clip(np.rint(points - step[:, None]), -30000, 30000).astype(int)
+    high = np.clip(np.rint(points + step[:, None]), -30000, 30000).astype(int)
+    for edge in range(len(points)):
+        runs = [(0, points.shape[1] - 1)] if shown[edge].all() else _runs(shown[edge])
+        for a, b in runs:
+            cv2.line(canvas, low[edge, a].tolist(), high[edge, b].tolist(), 1, thickness)
     hit = canvas[sheet.points[:, 1].astype(np.intp), sheet.points[:, 0].astype(np.intp)] > 0
     return float((hit * sheet.weights).sum() / sheet.weights.sum())
 
@@ -265,8 +278,8 @@ def _drawn(near: Bools, rings: Rings, shown: Bools) -> Bools:
     edges = ring_edges([len(r) for r in rings.front])
     half = sum(len(r) for r in rings.front)
     lit = np.zeros(2 * half, int)
-    first = (near & shown)[:, :12].mean(axis=1) > 0.3
-    last = (near & shown)[:, -12:].mean(axis=1) > 0.3
+    first = (near & shown)[:, :10].mean(axis=1) > 0.3
+    last = (near & shown)[:, -10:].mean(axis=1) > 0.3
     np.add.at(lit, edges[first, 0], 1)
     np.add.at(lit, edges[last, 1], 1)
     return np.asarray(lit[half:] >= 2)
