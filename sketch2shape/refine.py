@@ -17,6 +17,8 @@ from sketch2shape.strokes import fit_line
 from sketch2shape.verify import Rings
 
 STEPS = 3
+MAP_STEP = 0.02
+"""Misfit, as a part of the object's size, that justifies the next richer kind of plane map."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +55,9 @@ def refine(rings: Rings, points: Floats, reach: float, drawn: Bools, stiffness: 
     for step in range(STEPS):
         lines = _measure(v, edges, points, reach if step == 0 else 0.7 * reach)
         moved = _solve(v, start, edges, lines, drawn, stiffness)
-        # a vertex that runs away has lost its lines: keep it where verification found it
+        # a seen vertex that runs away has lost its lines: keep it where verification found it
         far = np.linalg.norm(moved - start, axis=1) > 3 * reach + 4
+        far[len(drawn) :] &= drawn
         moved[far] = start[far]
         v = moved
     spread = lines.spread if lines is not None and len(lines.spread) else np.zeros(1)
@@ -113,7 +116,9 @@ def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools
             row[2 * k : 2 * k + 2] = weight * normal
             rows.append(row)
             right.append(weight * offset)
-    h = plane_map(v[:m], v[m:], drawn)
+    # a clean drawing tells a similarity from a homology; a rough one does not
+    limit = 1.0 + 2.0 * float(np.sqrt((lines.spread**2).mean())) if len(lines.spread) else None
+    h = plane_map(v[:m], v[m:], drawn, limit)
     image, slope = homology.apply(h, v[:m]), _jacobian(h, v[:m])
     for i in range(m):
         for axis in range(2):
@@ -122,11 +127,12 @@ def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools
             row[2 * i : 2 * i + 2] = -stiffness * slope[i, axis]
             rows.append(row)
             right.append(stiffness * (image[i, axis] - slope[i, axis] @ v[i]))
+    # held lightly to where it started, so that the normal equations are always well posed
     hold = 0.03
-    a = np.vstack([*rows, hold * np.eye(4 * m)])
-    b = np.concatenate([right, hold * start.ravel()])
-    free = np.linalg.lstsq(a, b, rcond=None)[0].reshape(-1, 2)
-    free[m:][~drawn] = homology.apply(plane_map(free[:m], free[m:], drawn), free[:m])[~drawn]
+    a, b = np.array(rows), np.array(right)
+    normal = a.T @ a + hold**2 * np.eye(4 * m)
+    free = np.linalg.solve(normal, a.T @ b + hold**2 * start.ravel()).reshape(-1, 2)
+    free[m:][~drawn] = homology.apply(plane_map(free[:m], free[m:], drawn, limit), free[:m])[~drawn]
     return np.where(np.isfinite(free), free, v)
 
 
@@ -150,6 +156,18 @@ def plane_map(front: Floats, back: Floats, drawn: Bools, tolerance: float | None
             return fit
     usable = [k for k, f in enumerate(fits) if np.isfinite(homology.apply(f, front)).all()]
     return fits[min(usable, key=lambda k: misfit[k])]
+
+
+def map_cost(front: Floats, back: Floats, drawn: Bools) -> float:
+    """How elaborate the plane map is: 0 for an exact translation, growing with degrees of freedom and misfit."""
+    seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
+    src, dst = front[seen], back[seen]
+    size = float(np.linalg.norm(np.ptp(np.concatenate([front, back]), axis=0))) + 1e-9
+    fits = [homology.translation((dst - src).mean(axis=0)), homology.similarity(src, dst)]
+    if len(src) >= 3:
+        fits.append(homology.homology(src, dst))
+    off = [np.sqrt((np.linalg.norm(homology.apply(f, src) - dst, axis=1) ** 2).mean()) for f in fits]
+    return float(min(k * MAP_STEP + o / size for k, o in enumerate(off) if np.isfinite(o)))
 
 
 def _jacobian(h: Floats, points: Floats) -> Floats:

@@ -14,15 +14,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sketch2shape import caps, separate
-from sketch2shape.corners import Corners, join_ends
+from sketch2shape.corners import crossings, join_ends
 from sketch2shape.model import Floats, Ink
-from sketch2shape.refine import refine
+from sketch2shape.refine import map_cost, refine
 from sketch2shape.regions import enclosed_regions, without_edge
 from sketch2shape.sheet import Group, split_groups
-from sketch2shape.strokes import Skeleton, coverage, thin, trace_strokes
+from sketch2shape.strokes import Skeleton, Strokes, coverage, thin, trace_strokes
 from sketch2shape.verify import Evidence, Rings, Sheet, judge, plausible, skeleton_sheet, worth_judging
 
 GOOD = 0.975
+MOST_STEPS = 24000
+"""Steps of the search for cycles in one round."""
 PERFECT = 0.995
 LEAST_CONFIDENCE = 0.7
 """Below this a group of ink beside an object is not taken for a second one."""
@@ -70,11 +72,13 @@ class Round:
     trace : how far a stroke may stray from its line before it counts as bent
     reach : how far ink may lie from the straight line between two corners
     loose : whether to try the shapes of regions alone, without corners
+    crossings : whether the crossing of two strokes may be a vertex too (two vertices may coincide)
     """
 
     trace: float
     reach: float
     loose: bool = False
+    crossings: bool = False
 
 
 def rounds_for(size: float, pen: float) -> list[Round]:
@@ -84,17 +88,19 @@ def rounds_for(size: float, pen: float) -> list[Round]:
     """
     return [
         Round(max(1.5, 0.08 * pen), max(2.0, 0.15 * pen)),
-        Round(max(1.5, 0.08 * pen), max(3.0, 0.2 * pen)),
+        Round(max(1.5, 0.08 * pen), max(3.0, 0.2 * pen), crossings=True),
         Round(max(1.5, 0.08 * pen), max(4.0, 0.011 * size, 0.3 * pen)),
         Round(max(2.5, 0.006 * size, 0.15 * pen), max(4.0, 0.014 * size, 0.4 * pen), True),
         Round(max(4.0, 0.012 * size, 0.25 * pen), max(6.0, 0.02 * size, 0.5 * pen), True),
     ]
 
 
-def corner_graph(skeleton: Skeleton, corners: Corners, reach: float) -> separate.CornerGraph:
+def corner_graph(skeleton: Skeleton, strokes: Strokes, tolerant: Round) -> separate.CornerGraph:
     """Corners that can be vertices, and which of them have ink between them."""
-    keep = np.flatnonzero((corners.degree >= 2) | corners.on)[:MOST_CORNERS]
-    points = corners.points[keep]
+    reach, corners = tolerant.reach, join_ends(strokes, skeleton.pen_width)
+    keep = (corners.degree >= 2) | corners.on
+    across = crossings(strokes, tolerant.trace + 0.5 * skeleton.pen_width, 2 if tolerant.crossings else 3)
+    points = np.concatenate([corners.points[keep], across])[:MOST_CORNERS]
     k = len(points)
     i, j = np.triu_indices(k, 1)
     share = coverage(skeleton.distance, points[i], points[j], reach)
@@ -106,9 +112,10 @@ def corner_graph(skeleton: Skeleton, corners: Corners, reach: float) -> separate
 
 def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
     """Closed ladders of rungs, each also with the smaller ones inside it as holes."""
+    budget = MOST_STEPS
     for ladder in separate.ladders(graph):
         found: dict[frozenset[int], Rings] = {}
-        for cycle in separate.cycles(ladder):
+        for cycle in separate.cycles(ladder, min(budget, MOST_STEPS // 6)):
             key = frozenset(cycle.tolist())
             if key not in found:
                 found[key] = separate.ring_pair(ladder, graph, cycle)
@@ -169,7 +176,7 @@ def _sheet(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
 def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
     pen = group.ink.pen_width
     strokes = trace_strokes(skeleton, tolerant.trace, group.solid)
-    graph = corner_graph(skeleton, join_ends(strokes, pen), tolerant.reach)
+    graph = corner_graph(skeleton, strokes, tolerant)
     sheet = _sheet(group, skeleton, tolerant.reach)
     best = _shortlist(wire_hypotheses(graph), sheet, [])
     if not best or best[0][1].score < GOOD:
@@ -188,8 +195,9 @@ def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
 
 
 def _merit(found: Found) -> float:
-    """Of two answers that explain the drawing alike, the one with fewer vertices holds."""
-    return found.evidence.score - 0.002 * len(found.rings.vertices) / 2
+    """Of answers that explain the drawing alike, the one with fewer vertices and the plainer plane map holds."""
+    front, back = np.concatenate(found.rings.front), np.concatenate(found.rings.back)
+    return found.evidence.score - 0.002 * len(front) - 0.5 * map_cost(front, back, found.evidence.drawn)
 
 
 def _shortlist(
