@@ -1,8 +1,7 @@
 """Corners: the points where strokes end, meet or turn.
 
 A vertex of the object is where stroke ENDS meet, at the least-squares intersection of their lines; an X, where two
-strokes run straight on, is a crossing and no vertex; a T is one end on another stroke's interior. Where three strokes
-or more cross in one point, as in the true isometric cube, vertices may hide: a knot.
+strokes run straight on, is a crossing and no vertex; a T is one end on another stroke's interior.
 """
 
 from __future__ import annotations
@@ -20,8 +19,8 @@ class Corners:
     """Corners, the surest first.
 
     points : (k, 2) float, pixels
-    degree : (k,) int, how many stroke ends meet there; 0 for a knot
-    on     : (k,) bool, whether it also lies on the interior of another stroke (T, knot)
+    degree : (k,) int, how many stroke ends meet there
+    on     : (k,) bool, whether it also lies on the interior of another stroke (T)
     strokes: (m, 2) int, the corner at each end of each stroke
     """
 
@@ -32,7 +31,7 @@ class Corners:
 
 
 def join_ends(strokes: Strokes, pen: float) -> Corners:
-    """Corners where the ends of strokes meet, then knots.
+    """Corners where the ends of strokes meet.
 
     pen : pen width, pixels
     """
@@ -48,39 +47,7 @@ def join_ends(strokes: Strokes, pen: float) -> Corners:
     points = np.array([_meeting_point(ends[label == c], direction[label == c]) for c in range(len(names))])
     degree = np.bincount(label, minlength=len(names))
     on = _on_interior(points, strokes, strokes.tolerance + pen)
-    crossed, through = crossings(strokes, points, pen)
-    knots = crossed[through > 2]
-    return Corners(
-        np.concatenate([points, knots]),
-        np.concatenate([degree, np.zeros(len(knots))]).astype(np.intp),
-        np.concatenate([on, np.ones(len(knots), bool)]),
-        label.reshape(-1, 2).astype(np.intp),
-    )
-
-
-def crossings(strokes: Strokes, corners: Floats, pen: float) -> tuple[Floats, Ints]:
-    """Where strokes cross away from corners (k, 2): (m, 2) points, and (m,) how many strokes cross there."""
-    near = strokes.tolerance + 2 * pen
-    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
-    i, j = np.triu_indices(len(a), 1)
-    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
-    lengths = strokes.lengths + 1e-9
-    ok = np.abs(det) > 0.1 * lengths[i] * lengths[j]
-    i, j, det = i[ok], j[ok], det[ok]
-    gap = a[j] - a[i]
-    s = (gap[:, 0] * span[j, 1] - gap[:, 1] * span[j, 0]) / det
-    t = (gap[:, 0] * span[i, 1] - gap[:, 1] * span[i, 0]) / det
-    inside = (s > 0) & (s < 1) & (t > 0) & (t < 1)
-    points, pairs = (a[i] + s[:, None] * span[i])[inside], np.c_[i, j][inside]
-    if len(points) and len(corners):
-        free = np.linalg.norm(points[:, None] - corners[None], axis=2).min(axis=1) > near
-        points, pairs = points[free], pairs[free]
-    groups: list[list[int]] = []
-    for k, p in enumerate(points):
-        home = next((g for g in groups if float(np.linalg.norm(points[g[0]] - p)) <= near), None)
-        groups.append([k]) if home is None else home.append(k)
-    middle = np.array([points[g].mean(axis=0) for g in groups]).reshape(-1, 2)
-    return middle, np.array([len(np.unique(pairs[g])) for g in groups], np.intp)
+    return Corners(points, degree.astype(np.intp), on, label.reshape(-1, 2).astype(np.intp))
 
 
 def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:

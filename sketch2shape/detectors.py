@@ -16,7 +16,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.corners import Corners as Joined
-from sketch2shape.corners import crossings, join_ends
+from sketch2shape.corners import join_ends
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Bools, Floats, Ink, Ints
 from sketch2shape.strokes import Strokes
@@ -163,19 +163,19 @@ def _with_crossings(strokes: Strokes, pen: float) -> _Meetings:
     joined = join_ends(strokes, pen)
     arms = _arms(strokes, joined)
     kinds = [_kind(a, bool(on)) for a, on in zip(arms, joined.on, strict=True)]
-    # a knot has no ends, but at least three strokes run through it
-    degree = np.array([len(a) + 2 * bool(on) if len(a) else 6 for a, on in zip(arms, joined.on, strict=True)], np.intp)
+    degree = np.array([len(a) + 2 * bool(on) for a, on in zip(arms, joined.on, strict=True)], np.intp)
     near = strokes.tolerance + 2 * pen
     single = _single(joined.points, degree, near)
     vertices = [k for k in single if kinds[k] != "end"]
     ends = [k for k in single if kinds[k] == "end"]
-    crossed, _ = crossings(strokes, joined.points, pen)
-    cross: list[Kind] = ["X" for _ in crossed]
+    crossed, through = _crossings(strokes, joined.points, pen)
+    # three strokes through one point are no accident: vertices may coincide there
+    cross: list[Kind] = ["multi" if t > 2 else "X" for t in through]
     loose: list[Kind] = ["end" for _ in ends]
     return _Meetings(
         np.concatenate([joined.points[vertices], crossed, joined.points[ends]]),
         (*(kinds[k] for k in vertices), *cross, *loose),
-        np.concatenate([degree[vertices], np.full(len(crossed), 4), degree[ends]]).astype(np.intp),
+        np.concatenate([degree[vertices], 2 * through, degree[ends]]).astype(np.intp),
     )
 
 
@@ -210,6 +210,31 @@ def _kind(arms: Floats, on: bool) -> Kind:
     if abs(widest - np.pi) <= STRAIGHT:
         return "T"
     return "W" if widest > np.pi else "Y"
+
+
+def _crossings(strokes: Strokes, corners: Floats, pen: float) -> tuple[Floats, Ints]:
+    """Where strokes cross away from corners (k, 2): (m, 2) points, and (m,) how many strokes cross there."""
+    near = strokes.tolerance + 2 * pen
+    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
+    i, j = np.triu_indices(len(a), 1)
+    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
+    lengths = strokes.lengths + 1e-9
+    ok = np.abs(det) > 0.1 * lengths[i] * lengths[j]
+    i, j, det = i[ok], j[ok], det[ok]
+    gap = a[j] - a[i]
+    s = (gap[:, 0] * span[j, 1] - gap[:, 1] * span[j, 0]) / det
+    t = (gap[:, 0] * span[i, 1] - gap[:, 1] * span[i, 0]) / det
+    inside = (s > 0) & (s < 1) & (t > 0) & (t < 1)
+    points, pairs = (a[i] + s[:, None] * span[i])[inside], np.c_[i, j][inside]
+    if len(points) and len(corners):
+        free = np.linalg.norm(points[:, None] - corners[None], axis=2).min(axis=1) > near
+        points, pairs = points[free], pairs[free]
+    groups: list[list[int]] = []
+    for k, p in enumerate(points):
+        home = next((g for g in groups if float(np.linalg.norm(points[g[0]] - p)) <= near), None)
+        groups.append([k]) if home is None else home.append(k)
+    middle = np.array([points[g].mean(axis=0) for g in groups]).reshape(-1, 2)
+    return middle, np.array([len(np.unique(pairs[g])) for g in groups], np.intp)
 
 
 def _near(points: Floats, proposals: Floats, reach: float) -> Bools:

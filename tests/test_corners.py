@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.corners import crossings, join_ends
+from sketch2shape.corners import join_ends
 from sketch2shape.strokes import Strokes
 
 
@@ -64,25 +64,6 @@ def test_nearly_parallel_strokes_meet_between_their_ends_and_not_far_away():
     k = int(np.argmax(corners.degree))
     assert corners.degree[k] == 2
     assert corners.points[k] == pytest.approx([101.5, 0], abs=3)
-
-
-def test_three_strokes_through_one_point_make_a_knot():
-    star = [[[0, 50], [100, 50]], [[25, 7], [75, 93]], [[75, 7], [25, 93]]]
-    corners = corners_of(*star)
-    k = at(corners, [50, 50], 0.5)
-    assert corners.degree[k] == 0
-    assert corners.on[k]
-    assert len(corners.points) == 7
-    shifted = corners_of(star[0], star[1], [[75, 37], [25, 123]])
-    assert len(shifted.points) == 6
-
-
-def test_crossings_are_counted_away_from_corners():
-    ends = np.array([[[0, 50], [100, 50]], [[50, 0], [50, 100]], [[20, 0], [20, 100.0]]])
-    strokes = Strokes(ends, np.ones(3), 1.5)
-    points, through = crossings(strokes, np.array([[21.0, 51]]), 2.0)
-    assert points.tolist() == [[50, 50]]
-    assert through.tolist() == [2]
 
 
 def test_no_strokes_have_no_corners():
