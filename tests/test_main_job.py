@@ -1,0 +1,39 @@
+"""The main job, end to end, on every committed drawing: exact topology and a good mesh, or a refusal where due."""
+
+import numpy as np
+import pytest
+
+from sketch2shape.errors import NoObjectError
+from sketch2shape.reconstruct import reconstruct
+from sketch2shape.report import report
+from sketch2shape.synthetic import metrics
+
+#: drawings that are still read wrongly, and what happens; docs/results.md shows them
+KNOWN = {
+    "accident_cube/000": "the middle of the isometric cube is taken for one vertex",
+    "annotated_dashed/000": "a dimension line is taken for an edge",
+    "handheavy_wire/000": "heavy wobble",
+    "negative/001": "words are taken for an object",
+    "negative/005": "a scribble is taken for an object",
+    "negative/008": "a cylinder is taken for an object",
+    "negative/009": "a pyramid is taken for a prism",
+}
+
+
+def test_the_object_of_each_committed_drawing_is_found(drawing, request):
+    path, truth = drawing
+    if truth["id"] in KNOWN:
+        request.applymarker(pytest.mark.xfail(reason=KNOWN[truth["id"]], strict=False))
+    if truth.get("objects") == []:
+        with pytest.raises(NoObjectError):
+            reconstruct(path)
+        return
+    result = reconstruct(path)
+    verdict = metrics.judge(truth, report(result)["objects"])
+    assert verdict.exact, verdict.cause
+    mesh = result.mesh
+    assert mesh.is_watertight
+    assert mesh.is_winding_consistent
+    assert mesh.volume > 0
+    assert len(mesh.vertices) == sum(len(s.vertices) for s in result.solids)
+    assert np.isfinite(mesh.vertices).all()
