@@ -31,6 +31,9 @@ _STEEP, _STEEP_COST = 0.035, 1.5
 #: directions with less than this part of the longest one's length do not tell how a face is held
 _LONG = 0.3
 
+#: slant of an isometric view: all three axes equally foreshortened
+ISOMETRIC = float(np.arccos(1.0 / np.sqrt(3.0)))
+
 #: log odds of an oblique drawing before anything is seen: most hand-made drawings of prisms are
 _OBLIQUE_PRIOR = 0.8
 
@@ -62,15 +65,17 @@ def read_axonometric(face: Floats, d: Floats, relations: Relations, noise: float
     relations : what could be regular about the face as drawn
     noise     : standard deviation of a drawn vertex, pixels
     """
-    odds = _axonometric_odds(_SLANTS, relations, face, d, noise)
+    isometric = _isometric_odds(relations, face, d, noise)
+    belief = 0.6 if isometric > 1.0 else 0.0
+    odds = _axonometric_odds(_SLANTS, relations, face, d, noise, belief)
     best = float(_SLANTS[odds.argmax()])
     step = float(_SLANTS[1] - _SLANTS[0])
     for _ in range(2):
         near = np.clip(best + step * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
-        best = float(near[_axonometric_odds(near, relations, face, d, noise).argmax()])
+        best = float(near[_axonometric_odds(near, relations, face, d, noise, belief).argmax()])
         step /= 8.0
     top = float(odds.max())
-    whole = top + float(np.log(np.exp(odds - top).mean())) + _isometric_odds(relations, face, d, noise)
+    whole = top + float(np.log(np.exp(odds - top).mean())) + isometric
     return ParallelReading(best, whole)
 
 
@@ -123,10 +128,14 @@ def _likely_ratio(face: Floats, sizes: list[int], length: float, noise: float) -
     return CAVALIER if off_full < 2.0 * noise and off_half > 2.0 * noise else CABINET
 
 
-def _axonometric_odds(slants: Floats, relations: Relations, face: Floats, d: Floats, noise: float) -> Floats:
+def _axonometric_odds(
+    slants: Floats, relations: Relations, face: Floats, d: Floats, noise: float, isometric: float
+) -> Floats:
+    """Log odds of each slant; `isometric` is how much the isometric view is believed for the axes' directions alone."""
     maps = axonometric_maps(slants, d)
     shapes = np.einsum("mi,gij->gmj", face, maps)
     odds = score(relations, shapes, maps, noise) + _view_prior(slants, d)
+    odds = odds + log_odds(slants - ISOMETRIC, np.full(len(slants), np.deg2rad(0.7)), isometric, np.pi / 2)
     return odds + _gravity_odds(relations, shapes, maps, face[: relations.outer], d, noise)
 
 
