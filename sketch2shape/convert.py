@@ -19,7 +19,7 @@ from sketch2shape.result import Result
 from sketch2shape.write import quiet_stderr, write_file, write_stdout
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Output:
     """A file to write: the product (a mesh format, "json", ...) and its path, "-" for standard output."""
 
@@ -65,7 +65,7 @@ class Task:
     data: bytes | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Outcome:
     """What became of one input.
 

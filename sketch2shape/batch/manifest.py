@@ -107,7 +107,6 @@ class Manifest:
         self.path = Path(plan.root, NAME)
         self._plan, self._header = plan, {"schema": SCHEMA, "version": __version__, "options": options}
         self._outputs = {item.name: item.outputs for item in plan.items}
-        self._lines: dict[str, str] = {}
         self._file: IO[str] | None = None
 
     def begin(self) -> None:
@@ -124,11 +123,9 @@ class Manifest:
 
     def add(self, outcome: Outcome) -> None:
         """Write down what became of an input, at once. Raises WriteError."""
-        line = _line(_outcome_to(self._plan.root, outcome, self._outputs[outcome.name]))
-        self._lines[outcome.name] = line
         if self._file is not None:
             try:
-                self._file.write(line)
+                self._file.write(_line(_outcome_to(self._plan.root, outcome, self._outputs[outcome.name])))
                 self._file.flush()
             except OSError as error:
                 raise WriteError(f"cannot write {self.path} ({error.strerror})") from None
@@ -143,7 +140,9 @@ class Manifest:
     def finish(self) -> None:
         """Keep the header and what became of each input, in the order of the plan. Raises WriteError."""
         self.close()
-        self._write([self._lines[item.name] for item in self._plan.items if item.name in self._lines])
+        with self.path.open(encoding="ascii") as file:
+            done = {json.loads(line).get("done"): line for line in file}
+        self._write([done[item.name] for item in self._plan.items if item.name in done])
 
     def _write(self, lines: list[str]) -> None:
         write_file(self.path, "".join([_line(self._header), *lines]).encode("ascii"), overwrite=True)

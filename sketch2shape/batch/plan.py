@@ -15,7 +15,7 @@ from sketch2shape.products import infixed, suffix
 from sketch2shape.read import SUFFIXES
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Planned:
     """One input and its outputs.
 
