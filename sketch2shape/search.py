@@ -99,8 +99,11 @@ def corner_graph(skeleton: Skeleton, strokes: Strokes, tolerant: Round) -> separ
     """Corners that can be vertices, and which of them have ink between them."""
     reach, corners = tolerant.reach, join_ends(strokes, skeleton.pen_width)
     keep = (corners.degree >= 2) | corners.on
-    across = crossings(strokes, tolerant.trace + 0.5 * skeleton.pen_width, 2 if tolerant.crossings else 3)
-    points = np.concatenate([corners.points[keep], across])[:MOST_CORNERS]
+    points = corners.points[keep]
+    if tolerant.crossings:
+        across, through = crossings(strokes, corners.points, skeleton.pen_width)
+        points = np.concatenate([points, across[through == 2]])
+    points = points[:MOST_CORNERS]
     k = len(points)
     i, j = np.triu_indices(k, 1)
     share = coverage(skeleton.distance, points[i], points[j], reach)
