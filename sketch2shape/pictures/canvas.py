@@ -6,7 +6,7 @@ the same smooth edges on every machine; words are set last, at the final size. T
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -79,10 +79,13 @@ class Canvas:
         ends = self._large(np.array([a, b]))
         pieces = [ends] if dash is None else _dashes(ends, dash[0] * _OVERSAMPLE, dash[1] * _OVERSAMPLE)
         thick = max(1, round(width * _OVERSAMPLE))
-        with _Blend(self, alpha) as target:
+
+        def stroke(target: Pixels, corner: Floats) -> None:
             for piece in pieces:
-                p, q = (tuple(int(v) for v in e) for e in _fixed(piece))
+                p, q = (tuple(int(v) for v in e) for e in _fixed(piece - corner))
                 cv2.line(target, p, q, colour, thick, cv2.LINE_AA, _SUBPIXEL_BITS)
+
+        self._blend(stroke, ends, thick, alpha)
 
     def dot(
         self, at: Floats, radius: float, colour: Colour = INK, rim: Colour | None = PAPER, rim_width: float = 1.2
@@ -96,9 +99,12 @@ class Canvas:
 
     def fill(self, rings: Sequence[Floats], colour: Colour, alpha: float = 1.0) -> None:
         """Fill the region inside an odd number of rings."""
-        with _Blend(self, alpha) as target:
-            shapes = [_fixed(self._large(ring)) for ring in rings]
-            cv2.fillPoly(target, shapes, colour, cv2.LINE_AA, _SUBPIXEL_BITS)
+        large = [self._large(ring) for ring in rings]
+
+        def flood(target: Pixels, corner: Floats) -> None:
+            cv2.fillPoly(target, [_fixed(ring - corner) for ring in large], colour, cv2.LINE_AA, _SUBPIXEL_BITS)
+
+        self._blend(flood, np.concatenate(large), 0, alpha)
 
     def box(self, left: float, top: float, width: float, height: float, colour: Colour) -> None:
         """Fill an upright rectangle, final pixels."""
@@ -130,24 +136,27 @@ class Canvas:
                 pen.text((w.at[0] + shift, w.at[1]), w.text, w.colour, font(w.size), anchor=w.anchor)
         return np.asarray(image).copy()
 
+    def _blend(self, paint: Callable[[Pixels, Floats], None], points: Floats, margin: int, alpha: float) -> None:
+        """Paint around the points and mix it in, so that one call is evenly transparent even where it overlaps itself.
+
+        paint : told a part of the enlarged image and the place of its upper left corner
+        """
+        if alpha >= 1:
+            paint(self._big, np.zeros(2))
+            return
+        h, w = self._big.shape[:2]
+        x0, y0 = np.clip(np.floor(points.min(axis=0)) - margin - 2, 0, [w, h]).astype(int)
+        x1, y1 = np.clip(np.ceil(points.max(axis=0)) + margin + 3, 0, [w, h]).astype(int)
+        if x0 >= x1 or y0 >= y1:
+            return
+        part = self._big[y0:y1, x0:x1]
+        target = part.copy()
+        paint(target, np.array([x0, y0], float))
+        part[:] = cv2.addWeighted(target, alpha, part, 1 - alpha, 0)
+
     def _large(self, points: Floats) -> Floats:
         """Points in view coordinates as points of the enlarged image (pixel centres kept at whole numbers)."""
         return (self.place(points) + 0.5) * _OVERSAMPLE - 0.5
-
-
-class _Blend:
-    """Paint on a copy and mix it in, so that one call is evenly transparent even where it overlaps itself."""
-
-    def __init__(self, canvas: Canvas, alpha: float) -> None:
-        self.canvas, self.alpha = canvas, alpha
-
-    def __enter__(self) -> Pixels:
-        self.target = self.canvas._big if self.alpha >= 1 else self.canvas._big.copy()
-        return self.target
-
-    def __exit__(self, *_: object) -> None:
-        if self.alpha < 1:
-            cv2.addWeighted(self.target, self.alpha, self.canvas._big, 1 - self.alpha, 0, dst=self.canvas._big)
 
 
 @lru_cache(maxsize=32)

@@ -278,3 +278,17 @@ def test_the_page_asks_nobody_else_and_reports_no_errors(page: Chrome, address: 
     assert asked
     assert all(a.startswith((address, "data:", "blob:")) for a in asked)
     assert page.get_log("browser") == []
+
+
+def test_everything_that_can_be_used_has_a_name(page: Chrome, box_file: Path) -> None:
+    def nameless() -> list[str]:
+        usable = page.find_elements(
+            By.CSS_SELECTOR, "button, select, input, canvas, svg[role], g[role], [tabindex='0']"
+        )
+        return [e.get_attribute("outerHTML")[:80] for e in usable if e.is_displayed() and not e.accessible_name]
+
+    assert nameless() == []
+    upload(page, box_file)
+    assert nameless() == []
+    page.find_element(By.ID, "draw").click()
+    assert nameless() == []
