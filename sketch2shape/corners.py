@@ -50,6 +50,35 @@ def join_ends(strokes: Strokes, pen: float) -> Corners:
     return Corners(points, degree.astype(np.intp), on, label.reshape(-1, 2).astype(np.intp))
 
 
+def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
+    """Points where at least `least` strokes run across each other, (k, 2) float, pixels.
+
+    Where two cross there is usually no vertex; where three do, vertices coincide (the isometric cube's centre).
+    """
+    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
+    i, j = np.triu_indices(len(a), 1)
+    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
+    length = strokes.lengths
+    slanted = np.abs(det) > 0.1 * length[i] * length[j]
+    i, j, det = i[slanted], j[slanted], det[slanted]
+    w = a[j] - a[i]
+    s = (w[:, 0] * span[j, 1] - w[:, 1] * span[j, 0]) / det
+    t = (w[:, 0] * span[i, 1] - w[:, 1] * span[i, 0]) / det
+    inner_s, inner_t = np.minimum(s, 1 - s) * length[i], np.minimum(t, 1 - t) * length[j]
+    ok = (inner_s > 2 * reach) & (inner_t > 2 * reach)
+    points = a[i[ok]] + s[ok, None] * span[i[ok]]
+    kept: list[Floats] = []
+    for point in points:
+        if kept and np.linalg.norm(np.array(kept) - point, axis=1).min() < 2 * reach:
+            continue
+        q = point - a
+        along = (q * span).sum(axis=1) / (length + 1e-9)
+        across = np.abs(q[:, 0] * span[:, 1] - q[:, 1] * span[:, 0]) / (length + 1e-9)
+        if ((across <= reach) & (along > 2 * reach) & (along < length - 2 * reach)).sum() >= least:
+            kept.append(point)
+    return np.array(kept).reshape(-1, 2)
+
+
 def _meeting_point(ends: Floats, direction: Floats) -> Floats:
     """Least-squares intersection of the lines through the ends, held to the ends where they are nearly parallel."""
     normal = np.c_[-direction[:, 1], direction[:, 0]]

@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike
 from sketch2shape import search
 from sketch2shape.caps import caps
 from sketch2shape.connect.points import as_points
-from sketch2shape.corners import Corners, join_ends
 from sketch2shape.lift import choose_front
 from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject
 from sketch2shape.regions import enclosed_regions
@@ -24,12 +23,10 @@ from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.strokes import trace_strokes as trace_skeleton
 from sketch2shape.tracing import ink_of, to_picture
-from sketch2shape.verify import Evidence, Rings, front_support, judge, plausible
+from sketch2shape.verify import Evidence, Rings, judge, plausible, worth_judging
 
 LEAST = 0.5
 """A hypothesis that explains less than this is none."""
-FRONT = 0.7
-"""Part of the front face's outline that must have ink before the rest is looked at."""
 
 
 def separate_faces(source: Any, *, corners: ArrayLike | None = None, most: int = 8) -> tuple[TwoFaceObject, ...]:
@@ -73,7 +70,7 @@ def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evi
         sheet = search._sheet(group, skeleton, tolerant.reach)
         best = 0.0
         for rings in _hypotheses(group, skeleton, tolerant, corners):
-            if not plausible(rings, 1.5 * sheet.pen) or front_support(rings, sheet) < FRONT:
+            if not plausible(rings, 1.5 * sheet.pen) or not worth_judging(rings, sheet):
                 continue
             evidence = judge(rings, sheet)
             best = max(best, evidence.score)
@@ -86,16 +83,11 @@ def _hypotheses(group: Group, skeleton: Skeleton, tolerant: search.Round, corner
     """From both separators: where all edges are drawn, and where the back is dashed or missing."""
     pen = group.ink.pen_width
     strokes = trace_skeleton(skeleton, tolerant.trace, group.solid)
-    meeting = join_ends(strokes, pen) if corners is None else _given(corners)
-    graph = search.corner_graph(skeleton, meeting, tolerant.reach)
+    points = search.vertex_candidates(strokes, tolerant, pen) if corners is None else corners
+    graph = search.corner_graph(skeleton, points, tolerant.reach)
     regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
     both: Iterable[Iterator[Rings]] = (search.wire_hypotheses(graph), caps(graph, regions, pen))
     return chain.from_iterable(islice(one, search.MOST_HYPOTHESES) for one in both)
-
-
-def _given(points: Floats) -> Corners:
-    """Corners that are known to be vertices, whatever the strokes say."""
-    return Corners(points, np.full(len(points), 3, np.intp), np.zeros(len(points), bool), np.zeros((0, 2), np.intp))
 
 
 def _shifted(rings: Rings, by: Floats) -> Rings:

@@ -95,15 +95,15 @@ def rounds_for(size: float, pen: float) -> list[Round]:
     ]
 
 
-def corner_graph(skeleton: Skeleton, strokes: Strokes, tolerant: Round) -> separate.CornerGraph:
-    """Corners that can be vertices, and which of them have ink between them."""
-    reach, corners = tolerant.reach, join_ends(strokes, skeleton.pen_width)
-    keep = (corners.degree >= 2) | corners.on
-    points = corners.points[keep]
-    if tolerant.crossings:
-        across, through = crossings(strokes, corners.points, skeleton.pen_width)
-        points = np.concatenate([points, across[through == 2]])
-    points = points[:MOST_CORNERS]
+def vertex_candidates(strokes: Strokes, tolerant: Round, pen: float) -> Floats:
+    """(k, 2) float, pixels: corners that can be vertices."""
+    corners = join_ends(strokes, pen)
+    across = crossings(strokes, tolerant.trace + 0.5 * pen, 2 if tolerant.crossings else 3)
+    return np.concatenate([corners.points[(corners.degree >= 2) | corners.on], across])[:MOST_CORNERS]
+
+
+def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> separate.CornerGraph:
+    """Vertex candidates (k, 2), and which of them have ink between them, at most reach pixels off."""
     k = len(points)
     i, j = np.triu_indices(k, 1)
     share = coverage(skeleton.distance, points[i], points[j], reach)
@@ -179,7 +179,7 @@ def _sheet(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
 def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
     pen = group.ink.pen_width
     strokes = trace_strokes(skeleton, tolerant.trace, group.solid)
-    graph = corner_graph(skeleton, strokes, tolerant)
+    graph = corner_graph(skeleton, vertex_candidates(strokes, tolerant, pen), tolerant.reach)
     sheet = _sheet(group, skeleton, tolerant.reach)
     best = _shortlist(wire_hypotheses(graph), sheet, [])
     if not best or best[0][1].score < GOOD:
