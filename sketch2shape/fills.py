@@ -92,16 +92,18 @@ def _holes(part: Gray) -> int:
 
 def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: float) -> Gray:
     """The contrast of the fills alone, grown back into their sharp corners as far as the opening can have cut them."""
-    level = _u8(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
-    _, labels = cv2.connectedComponents(np.asarray(level > floor, dtype=np.uint8), connectivity=4)
+    opened = _u8(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
+    _, labels = cv2.connectedComponents(np.asarray(opened > floor, dtype=np.uint8), connectivity=4)
     filled = np.zeros(int(labels.max()) + 1, np.bool_)
     filled[labels[core]] = True
-    level = np.where(filled[labels], level, np.uint8(0))
-    reach = _u8(cv2.convertScaleAbs(contrast, alpha=1.0 / SAME_FILL))
+    level = np.where(filled[labels], opened, np.uint8(0))
+    highest = _u8(cv2.convertScaleAbs(contrast, alpha=1.0 / SAME_FILL))
+    lowest = _u8(cv2.convertScaleAbs(contrast, alpha=SAME_FILL))
+    whole = opened > 0.9 * contrast  # nothing was cut off here
     for _ in range(int(narrow) + 2):
         grown = _u8(cv2.dilate(level, np.ones((3, 3), np.uint8)))
-        leak = reach < grown  # over an outline into the next face
-        level = np.where(leak, level, np.minimum(grown, contrast))
+        other = whole | (highest < grown) | (lowest > grown)  # the paper or another face, an outline
+        level = np.where(other, level, np.minimum(grown, contrast))
     return level
 
 

@@ -38,13 +38,15 @@ def without_hatching(mask: Bools) -> Bools:
     returns : (h, w); the same array where nothing is hatched
     """
     diagonal = float(np.hypot(*mask.shape))
+    pen_width = rough_pen_width(mask)
+    if pen_width > 0.6 * SPACING * diagonal:
+        return mask
     ink = mask.astype(np.uint8)
     box = _box(EXTENT * diagonal)
     closed = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, _box(SPACING * diagonal))
     core = cv2.erode(closed, box)
     if not core.any():
         return mask
-    pen_width = rough_pen_width(mask)
     _, labels = cv2.connectedComponents(core, connectivity=8)
     result = mask
     for label in range(1, min(int(labels.max()), 8) + 1):

@@ -1,9 +1,9 @@
 """Ink: the pixels of a picture that were drawn.
 
-The picture is brought to working size, divided by its background (uneven light, coloured paper, shadow), and a pixel
-is ink where it is at least half as dark as the darkest ink close by and clearly darker than the noise of the paper.
-Half of the local peak puts the border of a stroke where its anti-aliased or blurred flank is half way down, for faint
-and for strong strokes alike.
+The picture is brought to working size and measured against its ground; the table around a page, the marks and the
+noise of the paper, bands along the frame and the fills of faces are taken away. A pixel is ink where its contrast is
+about half of the strongest close by: that puts the border of a stroke where its anti-aliased or blurred flank is half
+way down, for faint and for strong strokes alike. Hatching, letters and specks go last.
 """
 
 from __future__ import annotations
