@@ -3,7 +3,7 @@
     python scripts/evaluate.py                     all sets, page rewritten
     python scripts/evaluate.py --sets fresh --categories 'photo_*' --page ''     one kind, table on the screen only
 
-Sets: `committed` (data/synthetic), `fresh` (drawn anew from --seed, never looked at while the tool was built),
+Sets: `committed` (data/synthetic), `fresh` (every category, drawn anew from --seed),
 `bench` and `real` (independent drawings and real pictures outside this repository, when --bench exists).
 """
 
