@@ -19,8 +19,9 @@ from sketch2shape.corners import Corners as Joined
 from sketch2shape.corners import join_ends
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.placing import to_picture
 from sketch2shape.strokes import Strokes
-from sketch2shape.tracing import drawn_strokes, ink_of, to_picture, working_tolerance
+from sketch2shape.tracing import drawn_strokes, ink_of, working_tolerance
 
 Detector = Literal["both", "shi-tomasi", "harris"]
 DETECTORS: tuple[str, ...] = ("both", "shi-tomasi", "harris")

@@ -17,12 +17,13 @@ from sketch2shape import search
 from sketch2shape.caps import caps
 from sketch2shape.connect.points import as_points
 from sketch2shape.lift import choose_front
-from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject
+from sketch2shape.model import Floats, TwoFaceObject
+from sketch2shape.placing import as_object, to_working
 from sketch2shape.regions import enclosed_regions
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.strokes import trace_strokes as trace_skeleton
-from sketch2shape.tracing import ink_of, to_picture
+from sketch2shape.tracing import ink_of
 from sketch2shape.verify import Evidence, Rings, judge, plausible, worth_judging
 
 LEAST = 0.5
@@ -44,7 +45,7 @@ def separate_faces(source: Any, *, corners: ArrayLike | None = None, most: int =
     cannot be read.
     """
     ink = ink_of(source)
-    known = None if corners is None else (as_points(corners, minimum=6) + 0.5) * ink.scale - 0.5
+    known = None if corners is None else to_working(as_points(corners, minimum=6), ink.scale)
     found = []
     for group in split_groups(ink):
         own = known if known is None else known - group.offset
@@ -106,20 +107,3 @@ def _alike(a: TwoFaceObject, b: TwoFaceObject) -> bool:
 def _same_points(a: Floats, b: Floats, near: float) -> bool:
     gap = np.linalg.norm(a[:, None] - b[None], axis=2)
     return bool(gap.min(axis=0).max() <= near and gap.min(axis=1).max() <= near)
-
-
-def as_object(rings: Rings, evidence: Evidence, ink: Ink) -> TwoFaceObject:
-    """A hypothesis of the whole sheet in picture pixels; its confidence is how well it explains the drawing."""
-    pairs = [
-        FacePair(to_picture(a, ink.scale), to_picture(b, ink.scale))
-        for a, b in zip(rings.front, rings.back, strict=True)
-    ]
-    return TwoFaceObject(
-        pairs[0].f1,
-        pairs[0].f2,
-        tuple(pairs[1:]),
-        confidence=float(np.clip(evidence.score, 0.0, 1.0)),
-        lines=evidence.lines,
-        f2_drawn=evidence.drawn,
-        page=ink.page,
-    )

@@ -9,9 +9,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from sketch2shape.errors import NoObjectError
-from sketch2shape.faces import as_object
 from sketch2shape.model import Ink, TwoFaceObject
 from sketch2shape.ordering import check_connector, connector_of
+from sketch2shape.placing import as_object
 from sketch2shape.result import Result
 from sketch2shape.search import Found, find_all
 

@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import Any
 
 from sketch2shape.ink import find_ink
-from sketch2shape.model import Floats, Ink
+from sketch2shape.model import Ink
+from sketch2shape.placing import to_picture
 from sketch2shape.read import read_picture
 from sketch2shape.strokes import Strokes, thin
 from sketch2shape.strokes import trace_strokes as trace_skeleton
@@ -48,8 +49,3 @@ def working_tolerance(ink: Ink, tolerance: float | None) -> float:
 def ink_of(source: Any) -> Ink:
     """The ink of whatever a stage was given: itself, or that of the picture."""
     return source if isinstance(source, Ink) else find_ink(read_picture(source))
-
-
-def to_picture(points: Floats, scale: float) -> Floats:
-    """Working pixels as picture pixels; the centre of a working pixel is the centre of those it stands for."""
-    return (points + 0.5) / scale - 0.5

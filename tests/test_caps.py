@@ -5,16 +5,15 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
 
 from sketch2shape.caps import caps
-from sketch2shape.corners import join_ends
 from sketch2shape.regions import enclosed_regions
-from sketch2shape.search import corner_graph
+from sketch2shape.search import Round, corner_graph, vertex_candidates
 from sketch2shape.strokes import thin, trace_strokes
 
 
 def hypotheses(picture):
     ink = ink_of(picture)
     skeleton = thin(ink)
-    graph = corner_graph(skeleton, join_ends(trace_strokes(skeleton, 1.5), ink.pen_width), 2.0)
+    graph = corner_graph(skeleton, vertex_candidates(trace_strokes(skeleton, 1.5), Round(1.5, 2.0), ink.pen_width), 2.0)
     return list(caps(graph, enclosed_regions(ink.mask, ink.pen_width, 1.5), ink.pen_width))
 
 

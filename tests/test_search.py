@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
 
-from sketch2shape.faces import as_object
 from sketch2shape.homology import apply
+from sketch2shape.placing import as_object
 from sketch2shape.search import find_all
 
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
@@ -68,6 +68,16 @@ def test_a_vertex_on_another_edge_and_edges_along_each_other():
     upright = L_SHAPE + [0, -50]
     upright[:, 0] += 40
     assert same_object(found_in(prism(L_SHAPE, upright))[0], L_SHAPE, upright)
+
+
+def test_a_true_isometric_cube_has_two_vertices_in_one_place():
+    turn = np.arange(6) * np.pi / 3
+    ring = np.array([240.0, 200]) + 130 * np.c_[np.sin(turn), -np.cos(turn)]
+    middle = np.array([240.0, 200])
+    f1, f2 = np.array([ring[5], middle, ring[3], ring[4]]), np.array([ring[0], ring[1], ring[2], middle])
+    found = found_in(prism(f1, f2))
+    assert len(found) == 1
+    assert same_object(found[0], f1, f2)
 
 
 def test_a_plate_with_a_hole():
