@@ -19,6 +19,9 @@ _LEAST_NOISE = 0.3
 #: two faces closer to a translation than this part of the object's size are a translation, whatever their noise
 CONVERGENCE = 0.008
 
+#: how often shaking alone may pass for convergence
+_CHANCE = 0.01
+
 #: how many times its own residual a simpler family may miss before the wider one is taken
 _SIGNIFICANT = 2.0
 
@@ -84,6 +87,22 @@ def _rectified(points: Floats, page: Floats | None) -> Floats:
     scale = float(np.linalg.norm(np.ptp(points, axis=0))) / size
     placed: Floats = (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
     return placed
+
+
+def converges(drawing: Drawing, fit_rss: float) -> bool:
+    """Does perspective explain the drawing significantly better than a translation of the faces?
+
+    fit_rss : sum of squared residuals of the back face's vertices in the perspective fit, pixels^2
+
+    Two more numbers are fitted than in a parallel view. The F-test for them at one in a hundred has a closed form; where
+    the fit is better than the drawing's noise, the noise takes its place.
+    """
+    m = len(drawing.first)
+    freedom = max(2 * m - 4, 1)
+    parallel_rss = 2.0 * (2 * m - 2) * drawing.relation.translation_rms**2
+    variance = max(fit_rss / freedom, 2.0 * drawing.noise**2)
+    needed = 0.5 * freedom * (_CHANCE ** (-2.0 / freedom) - 1.0)
+    return (parallel_rss - fit_rss) / 2.0 > needed * variance
 
 
 def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:

@@ -21,7 +21,7 @@ from sketch2shape.lift.parallel import (
     read_oblique,
 )
 from sketch2shape.lift.perspective import facing_shape, perspective_shape
-from sketch2shape.lift.projection import Drawing, kind_of, prepare
+from sketch2shape.lift.projection import Drawing, converges, kind_of, prepare
 from sketch2shape.lift.regularity import find_relations
 from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Floats, Ints, Projection, Solid, TwoFaceObject
@@ -92,7 +92,7 @@ def _by_kind(drawing: Drawing, options: LiftOptions) -> Shape:
     kind, evidence = kind_of(drawing)
     shape: Shape | None = None
     if kind == "converging" and options.projection in ("auto", "perspective"):
-        shape = _converging(drawing)
+        shape = _converging(drawing, sure=options.projection == "perspective")
         kind = "parallel" if shape is None else kind
     if shape is None and kind == "scaled":
         shape = _scaled(drawing, options)
@@ -150,8 +150,11 @@ def _lean(pair: Drawing, slant: float) -> float:
     return lean(face @ axonometric_maps(np.array([slant]), d)[0])
 
 
-def _converging(drawing: Drawing) -> Shape | None:
-    """A prism in perspective; a box by the likeliest pair of its sides."""
+def _converging(drawing: Drawing, sure: bool) -> Shape | None:
+    """A prism in perspective; a box by the likeliest pair of its sides. None if it explains no more than shaking would.
+
+    sure : it is known to be in perspective
+    """
     readings = [(perspective_shape(drawing), np.arange(2 * len(drawing.first)))]
     for pair, order in other_pairs(drawing):
         readings.append((perspective_shape(pair), order))
@@ -159,6 +162,9 @@ def _converging(drawing: Drawing) -> Shape | None:
     if not likely:
         return None
     shape, order = max(likely, key=lambda r: float(r[0].evidence["log_odds"]))
+    rss = 2.0 * drawing.first.size * float(shape.evidence["fit_rms_px"]) ** 2
+    if not sure and not converges(drawing, rss):
+        return None
     return replace(shape, order=order)
 
 
