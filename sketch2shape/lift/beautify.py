@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sketch2shape.lift.face import edge_vectors, ring_ends
+from sketch2shape.lift.face import edge_vectors, ring_area, ring_ends
 from sketch2shape.lift.regularity import parallel_classes
 from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Floats, Ints
@@ -20,6 +20,9 @@ _REACH = 2.5
 
 #: an angle or a length counts as nearly exact within this many of its standard deviations
 _NEAR = 2.5
+
+#: part of an edge, and of the area, that must be left
+_KEPT = 0.5
 
 #: angles that are rounded, degrees: these between any two directions, the others only to the main one
 _STEP, _OTHERS = 90.0, (45.0, 30.0, 60.0)
@@ -49,11 +52,19 @@ def beautified(shape: Shape, noise: float) -> Shape:
     reach = _REACH * noise
     for name, face in _candidates(shape, noise):
         moved = float(np.linalg.norm((face - shape.flat) @ to_drawing, axis=1).max())
-        if moved <= reach:
+        if moved <= reach and _alike(face, shape):
             evidence = {**shape.evidence, "beautified": {"by": name, "moved_px": round(moved, 3)}}
             shape = replace(shape, flat=face, evidence=evidence)
             break
     return _even_depth(shape, noise)
+
+
+def _alike(face: Floats, shape: Shape) -> bool:
+    """Has no edge of the new face shrunk to little or turned about, and no area gone?"""
+    old, new = edge_vectors(shape.flat, shape.sizes), edge_vectors(face, shape.sizes)
+    kept = (old * new).sum(axis=1) >= _KEPT * (old**2).sum(axis=1)
+    n = shape.sizes[0]
+    return bool(kept.all()) and ring_area(face[:n]) >= _KEPT * ring_area(shape.flat[:n])
 
 
 def _candidates(shape: Shape, noise: float) -> list[tuple[str, Floats]]:

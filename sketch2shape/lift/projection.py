@@ -94,8 +94,8 @@ def converges(drawing: Drawing, fit_rss: float) -> bool:
 
     fit_rss : sum of squared residuals of the back face's vertices in the perspective fit, pixels^2
 
-    Two more numbers are fitted than in a parallel view. The F-test for them at one in a hundred has a closed form; where
-    the fit is better than the drawing's noise, the noise takes its place.
+    Two more numbers are fitted than in a parallel view. The F-test for them at one in a hundred has a closed form;
+    where the fit is better than the drawing's noise, the noise takes its place.
     """
     m = len(drawing.first)
     freedom = max(2 * m - 4, 1)

@@ -23,6 +23,7 @@ class Shape:
     map       : (2, 2) the linear part of drawing -> flat, row vectors
     sizes     : vertices of each ring
     free      : was the depth a mere default?
+    noise     : standard deviation of a drawn vertex as the two faces show it, pixels
     evidence  : numbers for the report
     warnings  : what had to be assumed
     order     : (2m,) number of each vertex in the object, None if they are in its order (see `box`)
@@ -37,6 +38,7 @@ class Shape:
     sizes: list[int]
     taper: float = 1.0
     free: bool = False
+    noise: float = 0.0
     evidence: dict[str, Any] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     order: Ints | None = None

@@ -32,6 +32,9 @@ _FLAT = 0.01
 #: a face with less area than this part of its diagonal squared is seen from its edge
 _EDGE_ON = 0.004
 
+#: vertices are never taken as shakier than this part of the object's diagonal
+_SHAKIEST = 0.02
+
 #: log odds that a degree of lean costs a prism over a parallelogram
 _LEAN = 0.12
 
@@ -59,7 +62,7 @@ def lift(
     drawing = prepare(obj)
     shape = _read(drawing, options)
     if options.beautify:
-        shape = beautified(shape, drawing.noise)
+        shape = beautified(shape, max(shape.noise, drawing.noise))
     if options.necker:
         shape = _mirrored(shape)
     shape = measured(shape, options)
@@ -78,7 +81,7 @@ def _read(drawing: Drawing, options: LiftOptions) -> Shape:
     """The shape shown, by the family that fits or the one imposed."""
     problem = _degenerate(drawing)
     if problem:
-        return _default(drawing, options, problem)
+        return _default(drawing, problem)
     pair, order = simplest_pair(drawing)
     if order is not None:
         pair, order = _front_first(pair, order, drawing.relation.d)
@@ -107,6 +110,9 @@ def _by_kind(drawing: Drawing, options: LiftOptions) -> Shape:
 
 def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     """Oblique or axonometric, whichever is more likely; a frustum if `taper` is not 1."""
+    # two faces that should be alike tell how shaky the hand was, better than the lines do
+    residual = drawing.relation.translation_rms if taper == 1.0 else drawing.relation.homothety_rms
+    drawing = replace(drawing, noise=max(drawing.noise, min(residual, _SHAKIEST * drawing.diagonal)))
     sizes, noise = drawing.sizes, drawing.noise
     box = taper == 1.0 and is_box_like(drawing)
     true, true_order = true_pair(drawing) if box else (drawing, None)
@@ -130,7 +136,7 @@ def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     else:
         shape = axonometric_shape(face, sizes, d, readings[likeliest].slant)
     evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2), **shape.evidence}
-    return replace(shape, taper=taper, order=order, evidence=evidence)
+    return replace(shape, taper=taper, order=order, noise=noise, evidence=evidence)
 
 
 def _front_first(pair: Drawing, order: Ints, d: Floats) -> tuple[Drawing, Ints]:
@@ -206,13 +212,13 @@ def _degenerate(drawing: Drawing) -> str | None:
     return None
 
 
-def _default(drawing: Drawing, options: LiftOptions, problem: str) -> Shape:
+def _default(drawing: Drawing, problem: str) -> Shape:
     """The face as drawn, as deep as half its mean extent."""
     face = drawing.first
     depth = 0.25 * float(np.ptp(face, axis=0).sum()) or 1.0
     warning = f"{problem}: taken as facing the viewer, with half its mean extent as depth"
-    del options
-    return Shape("oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), drawing.sizes, 1.0, True, {}, (warning,))
+    still, origin = np.eye(3), np.zeros(3)
+    return Shape("oblique", face, still, origin, depth, np.eye(2), drawing.sizes, free=True, warnings=(warning,))
 
 
 def _mirrored(shape: Shape) -> Shape:
