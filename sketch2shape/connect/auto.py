@@ -12,7 +12,16 @@ from sketch2shape.connect.geometry import ON_LINE, cross, distances
 from sketch2shape.connect.graham import convex_hull
 from sketch2shape.connect.orthogonal import candidate_pencils, pairings, solve
 from sketch2shape.connect.regularity import CROSSING, EDGE_CUES, PAIR_CUES, Edges, edge_cues, edges_between, pair_cues
-from sketch2shape.connect.search import EXHAUSTIVE, Energy, all_rings, distinct, edge_index, improve, neighbours
+from sketch2shape.connect.search import (
+    EXHAUSTIVE,
+    Energy,
+    all_rings,
+    canonical_rows,
+    distinct,
+    edge_index,
+    improve,
+    neighbours,
+)
 from sketch2shape.connect.split_walk import split_walk
 from sketch2shape.connect.tour import improve as shorten
 from sketch2shape.connect.tour import insertion
@@ -26,6 +35,8 @@ ALL_EDGES = 32
 CONVERGE = (0.0, 0.07, -0.07, 0.15, -0.15, 0.24, -0.24)
 #: rings of each kind that are looked at as a whole
 SHORTLIST = 80
+#: residuals that leave little doubt that a face is rectilinear, as parts of its size
+STRAIGHT = (2e-4, 3e-3)
 #: above so many points the tour is not shortened
 SHORTENED = 80
 #: an order whose energy is within this of the best is named as an alternative: it is at least half as probable
@@ -129,10 +140,20 @@ def crossings(edges: Edges) -> Bools:
 
 def rank(points: Floats) -> tuple[Ints, Floats]:
     """Candidates (k, n) and their energies, best first: for many points."""
-    orders = seeds(points)
+    straight, evidence = straight_pairings(points)
+    orders, _ = distinct(np.concatenate((straight, seeds(points))))
     energies = np.array([_ring_energy(points, order) for order in orders])
+    return _ranked(orders, energies - evidence * _among(orders, straight))
+
+
+def _ranked(orders: Ints, energies: Floats) -> tuple[Ints, Floats]:
     ranked = np.argsort(energies, kind="stable")
     return orders[ranked], energies[ranked]
+
+
+def _among(orders: Ints, some: Ints) -> Bools:
+    """Which rings (k, n), in canonical form, are among some others."""
+    return np.asarray((orders[:, None] == canonical_rows(some)[None]).all(axis=2).any(axis=1))
 
 
 def _ring_energy(points: Floats, order: Ints) -> float:
@@ -152,10 +173,9 @@ def rank_improved(points: Floats, model: Model) -> tuple[Ints, Floats]:
         found = [every[np.argsort(kind.of(every), kind="stable")[:SHORTLIST]] for kind in model.kinds]
     else:
         found = [_improved(kind, starts) for kind in model.kinds]
-    orders, _ = distinct(np.concatenate((starts, *found)))
-    energies = model.of(orders)
-    ranked = np.argsort(energies, kind="stable")
-    return orders[ranked], energies[ranked]
+    straight, evidence = straight_pairings(points)
+    orders, _ = distinct(np.concatenate((straight, starts, *found)))
+    return _ranked(orders, model.of(orders) - evidence * _among(orders, straight))
 
 
 def _improved(kind: Energy, starts: Ints) -> Ints:
@@ -163,6 +183,23 @@ def _improved(kind: Energy, starts: Ints) -> Ints:
     minima = improve(kind, starts)
     near, above = neighbours(kind, minima[np.argmin(kind.of(minima))])
     return np.concatenate((minima, near[np.argsort(above, kind="stable")[:SHORTLIST]]))
+
+
+def straight_pairings(points: Floats) -> tuple[Ints, float]:
+    """Rings (k, n) that pair up along two directions almost without residual, and the log odds that says for them.
+
+    By chance a vertex is on one of the lines with odds of about 20 tolerances; four vertices always fit, and half of
+    the evidence is left to other faces whose regularity makes them fit.
+    """
+    nothing = np.empty((0, len(points)), dtype=np.intp)
+    if len(points) % 2:
+        return nothing, 0.0
+    pencils = candidate_pencils(points, anchors=2)
+    for tolerance in STRAIGHT:
+        found = [order for _, order in solve(points, pairings(points, pencils, tolerance))]
+        if found:
+            return np.array(found), 0.5 * (len(points) - 4) * float(np.log(1.0 / (20.0 * tolerance)))
+    return nothing, 0.0
 
 
 def seeds(points: Floats) -> Ints:

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from sketch2shape.connect.connection import Walk
 from sketch2shape.connect.points import check_distinct
@@ -84,10 +84,15 @@ def split_walk(points: Floats, *, axis: Axis = "y") -> Walk:
     return Walk(order, met=tuple(met), violated=tuple(violated), parameters={"axis": axis})
 
 
-def _axes(points: Floats, axis: Axis) -> tuple[Floats, Floats]:
+def _columns(axis: Axis) -> tuple[int, int]:
+    """Columns of the coordinate that is walked and of the one that is split."""
     if axis not in ("x", "y"):
         raise UsageError(f"expected axis 'x' or 'y', got {axis!r}")
-    walk, split = (0, 1) if axis == "y" else (1, 0)
+    return (0, 1) if axis == "y" else (1, 0)
+
+
+def _axes(points: Floats, axis: Axis) -> tuple[Floats, Floats]:
+    walk, split = _columns(axis)
     return np.ascontiguousarray(points[:, walk]), np.ascontiguousarray(points[:, split])
 
 
@@ -222,14 +227,15 @@ def _entries_first(n: int, start: Ints, size: Ints, entry: Ints) -> Ints:
 # ---------------------------------------------------------------- preconditions
 
 
-def split_walk_preconditions(points: Floats, order: Ints, *, axis: Axis = "y") -> Preconditions:
+def split_walk_preconditions(points: ArrayLike, order: ArrayLike, *, axis: Axis = "y") -> Preconditions:
     """Whether split-walk would return the ring `order` of `points` (n, 2), and if not, why.
 
     Plain Python in one pass around the ring: for the few vertices of a face that is faster than arrays. O(n).
+    Raises UsageError for another axis.
     """
-    walk, split = (0, 1) if axis == "y" else (1, 0)
-    rows = points.tolist()
-    ring = [(rows[i][walk], rows[i][split]) for i in order.tolist()]
+    walk, split = _columns(axis)
+    rows = np.asarray(points, dtype=np.float64).tolist()
+    ring = [(rows[i][walk], rows[i][split]) for i in np.asarray(order).tolist()]
     seed = ring.index(min(ring))
     ring = ring[seed:] + ring[:seed]
     middle = sum([p[1] for p in ring]) / len(ring)

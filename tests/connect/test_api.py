@@ -4,7 +4,7 @@ import sys
 import numpy as np
 import pytest
 
-import sketch2shape.connect as package
+import sketch2shape
 from sketch2shape.connect import connect, connect_detailed, methods
 from sketch2shape.connect.geometry import blocked, canonical, ring_is_simple, segments_meet, signed_area
 
@@ -33,7 +33,9 @@ def test_every_method_is_documented(method):
 
 
 def test_the_package_is_callable_like_the_function():
-    assert package(SQUARE, "graham").tolist() == connect(SQUARE, "graham").tolist()
+    assert sketch2shape.connect(SQUARE, "graham").tolist() == connect(SQUARE, "graham").tolist()
+    assert "split-walk" in sketch2shape.connect.methods()
+    assert sketch2shape.connect_faces(SQUARE, SQUARE + 5).shape == (12, 2)
 
 
 def test_details_judge_the_ring(shapes):

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from sketch2shape.connect import connect, connect_detailed
+from sketch2shape.connect.auto import straight_pairings
 from sketch2shape.connect.geometry import canonical, ring_is_simple
 from sketch2shape.connect.search import Energy, all_rings, edge_index, gains, improve, relocations, reversals
 from sketch2shape.connect.symmetry import symmetries
@@ -94,3 +95,19 @@ def test_symmetries_of_a_skewed_square_and_of_none():
     assert len(found) == 7  # the eight of the square without the identity
     assert all(strength > 0.99 for _, strength in found)
     assert symmetries(np.array([(0, 0), (5, 0), (6, 2), (1, 3), (2, 9)], float)) == []
+
+
+def test_a_sheared_comb_of_equal_teeth():
+    # many equal parallel edges in wrong rings too; only one ring pairs up along two directions
+    teeth = [(x, y) for k in range(4) for x, y in ((2 * k, 0), (2 * k, 3), (2 * k + 1, 3), (2 * k + 1, 0))]
+    ring = np.array([(0, -1), *teeth[1:-1], (7, -1)], float) @ [[1.0, 0.0], [0.3, 1.0]]
+    shuffled = np.random.default_rng(6).permutation(len(ring))
+    assert canonical(shuffled[connect(ring[shuffled])]) == tuple(range(len(ring)))
+
+
+def test_straight_pairings_count_more_the_straighter_they_are(shapes):
+    rings, exact = straight_pairings(shapes["T"])
+    assert [canonical(ring) for ring in rings] == [tuple(range(8))]
+    _, rough = straight_pairings(shapes["T"] + np.random.default_rng(0).uniform(-0.004, 0.004, (8, 2)))
+    assert exact > rough > 0
+    assert straight_pairings(shapes["house"])[1] == 0.0
