@@ -35,6 +35,9 @@ _EDGE_ON = 0.004
 #: vertices are never taken as shakier than this part of the object's diagonal
 _SHAKIEST = 0.02
 
+#: log odds by which a prism in perspective, turned a little, must be likelier than a frustum
+_RATHER = 2.0
+
 #: log odds that a degree of lean costs a prism over a parallelogram
 _LEAN = 0.12
 
@@ -135,7 +138,11 @@ def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
         shape = oblique_shape(face, sizes, d, options.depth_ratio, noise)
     else:
         shape = axonometric_shape(face, sizes, d, readings[likeliest].slant)
-    evidence = {"oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2), **shape.evidence}
+    evidence = {
+        "log_odds": round(float(np.clip(flat if oblique else readings[likeliest].odds, -1e3, 1e3)), 2),
+        "oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2),
+        **shape.evidence,
+    }
     return replace(shape, taper=taper, order=order, noise=noise, evidence=evidence)
 
 
@@ -181,6 +188,10 @@ def _scaled(drawing: Drawing, options: LiftOptions) -> Shape:
     far = min(scale, 1.0 / scale) >= _FAR_SCALE and not (drawing.hidden and scale > 1.0)
     if options.projection == "perspective" or (options.projection == "auto" and far and tapered.family == "oblique"):
         return facing_shape(drawing)
+    if options.projection == "auto" and tapered.family == "axonometric":
+        turned = _converging(drawing, sure=True)
+        if turned is not None and turned.evidence["log_odds"] > tapered.evidence["log_odds"] + _RATHER:
+            return turned
     note = f"the back face is {scale:.2f} times the front face: taken as a tapered object with a straight axis"
     return replace(tapered, warnings=(*tapered.warnings, note))
 

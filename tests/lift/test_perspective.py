@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from sketch2shape.lift import LiftOptions, lift
 from sketch2shape.lift.perspective import facing_shape, perspective_shape
 from sketch2shape.lift.projection import prepare
 from sketch2shape.model import TwoFaceObject
@@ -54,3 +55,13 @@ def test_a_facing_prism_keeps_its_face_and_its_vanishing_point():
     assert shape.evidence["vanishing_point"] == pytest.approx([320, 240], abs=0.5)
     assert shape.depth > 0
     assert view[0, 2] < view[5, 2]
+
+
+def test_a_prism_turned_a_little_is_no_frustum():
+    """Its faces are nearly alike but for size, yet square corners tell the perspective."""
+    drawing, view = seen(8.0, 6.0, 900.0, shift=(1.2, 1.0))
+    loose = TwoFaceObject(drawing.first, drawing.second, noise=3.0)
+    got = lift(loose, options=LiftOptions(beautify=False))
+    assert got.projection.family == "perspective"
+    assert got.dimensions[0] / got.dimensions[1] == pytest.approx(2.0 / 2.2, rel=0.1)
+    assert view.shape == (10, 3)
