@@ -47,8 +47,14 @@ def main() -> None:
         if args.page:
             page = Path(args.page)
             sheets = write_sheets([o for o in outcomes if o["set"] in ("committed", "fresh")], page.parent / "failures")
-            command = shlex.join(["python", "scripts/evaluate.py", *sys.argv[1:]])
-            write_page(page, outcomes, command, sheets)
+            write_page(page, outcomes, recorded(sys.argv[1:]), sheets)
+
+
+def recorded(options: list[str]) -> str:
+    """The command for the page, without where things lie on this machine."""
+    local = ("--raw", "--page", "--bench")
+    kept = [o for i, o in enumerate(options) if o not in local and (i == 0 or options[i - 1] not in local)]
+    return shlex.join(["python", "scripts/evaluate.py", *kept])
 
 
 def _arguments() -> argparse.Namespace:

@@ -96,3 +96,8 @@ def test_the_page_tells_the_command_the_shares_and_the_failures(scripts, case, m
     assert "failures/1.jpg" in text
     assert (page.parent / "failures" / "1.jpg").stat().st_size > 1000
     assert (page.parent / "reliability.svg").exists()
+
+
+def test_the_recorded_command_leaves_out_places_on_this_machine(scripts):
+    options = ["--raw", "/somewhere/raw.json", "--sets", "committed", "--page", "", "--seed", "3"]
+    assert scripts["evaluate"].recorded(options) == "python scripts/evaluate.py --sets committed --seed 3"

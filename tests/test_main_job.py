@@ -10,8 +10,6 @@ from sketch2shape.synthetic import metrics
 
 #: drawings that are still read wrongly, and what happens; docs/results.md shows them
 KNOWN = {
-    "accident_cube/000": "the middle of the isometric cube is taken for one vertex",
-    "annotated_dashed/000": "a dimension line is taken for an edge",
     "handheavy_wire/000": "heavy wobble",
     "negative/001": "words are taken for an object",
     "negative/005": "a scribble is taken for an object",
