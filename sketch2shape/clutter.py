@@ -26,6 +26,8 @@ FAINT = 0.4
 """Short components with less than this share of the usual contrast are noise."""
 HOLLOW = 0.62
 """A ring has ink on less than this share of the area within its outline."""
+NEIGHBOURS = 8
+"""A dot's row is looked for among this many of the closest dots."""
 MOST = 700
 """Small components that are compared with each other, the largest first; further ones are specks."""
 
@@ -232,19 +234,21 @@ def _in_row(parts: Parts, dot: Bools, near_large: Bools, pen_width: float) -> Bo
     alike = parts.area[None, :] < 3.0 * parts.area[:, None]
     gap = 3.5 * parts.length[:, None] + 1.5 * pen_width + 2.0
     near = alike & alike.T & (distance > 0) & (distance < gap) & dot[:, None] & dot[None, :]
-    first, second = np.nonzero(near)
-    if len(first) == 0:
-        return np.zeros(n, dtype=np.bool_)
-    step = offset[second, first]  # from the second dot to the first, and on by as much
-    on = parts.centre[first][:, None, :] + np.array([0.5, 0.75, 1.0, 1.25])[None, :, None] * step[:, None, :]
-    goes_on = _hit(near_large, on).any(axis=1)
-    beyond = parts.centre[first] + step
-    error = np.hypot(*(parts.centre[None, :, :] - beyond[:, None, :]).transpose(2, 0, 1))
-    next_dot = dot[None, :] & alike[first] & (error < 0.35 * np.hypot(step[:, 0], step[:, 1])[:, None])
-    goes_on |= next_dot.any(axis=1)
+    result = np.zeros(n, dtype=np.bool_)
+    if not near.any():
+        return result
+    closest = np.argsort(np.where(near, distance, np.inf), axis=1)[:, :NEIGHBOURS]
+    rows = np.arange(n)[:, None]
+    valid = near[rows, closest]
+    step = offset[rows, closest]  # (n, k, 2) from a dot to each of its neighbours
+    error = np.hypot(*(step[:, :, None, :] + step[:, None, :, :]).transpose(3, 0, 1, 2))
+    opposite = valid[:, :, None] & valid[:, None, :] & (error < 0.35 * distance[rows, closest][:, :, None])
+    on = parts.centre[:, None, None, :] - np.array([0.5, 0.75, 1.0, 1.25])[None, None, :, None] * step[:, :, None, :]
+    goes_on = valid & (opposite.any(axis=2) | _hit(near_large, on).any(axis=2))
     chain = np.zeros((n, n), dtype=np.bool_)
-    chain[first, second] = goes_on
+    chain[np.broadcast_to(rows, closest.shape)[goes_on], closest[goes_on]] = True
     chain &= chain.T
-    inner = chain.any(axis=1)
-    ends = (next_dot & chain[first, second][:, None]).any(axis=0)
-    return np.asarray(inner | ends, dtype=np.bool_)
+    result |= chain.any(axis=1)
+    ends = (opposite & chain[rows, closest][:, :, None]).any(axis=1)  # beyond a dot of a chain
+    result[closest[ends]] = True
+    return result

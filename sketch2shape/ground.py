@@ -111,10 +111,15 @@ def _is_even(gray: Gray, ground: int) -> bool:
 
 
 def _frame_level(gray: Gray) -> int:
-    """Commonest level of the picture's frame (a twentieth of each side), where the drawing seldom is."""
+    """Commonest level of the picture's margin (from a 25th to a 10th of each side), where the drawing seldom is.
+
+    The outermost strip does not count: it may be a scan's black edge, or a stroke along the frame.
+    """
     h, w = gray.shape
-    y, x = max(1, h // 20), max(1, w // 20)
-    parts = (gray[:y], gray[-y:], gray[y:-y, :x], gray[y:-y, -x:])
+    inner = gray[h // 25 : h - h // 25, w // 25 : w - w // 25]
+    h, w = inner.shape
+    y, x = max(1, h // 15), max(1, w // 15)
+    parts = (inner[:y], inner[-y:], inner[y:-y, :x], inner[y:-y, -x:])
     counts = np.bincount(np.concatenate([p.ravel() for p in parts]), minlength=256)
     middle = int(np.argmax(np.convolve(counts, np.ones(5), mode="same")))
     low = max(0, middle - 2)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools
+from sketch2shape.pen import rough_pen_width
 
 Gray = NDArray[np.uint8]
 
@@ -76,7 +77,7 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
         if len(tallest) < TILES:
             return 0.0
     low, high = np.percentile(tallest, (12, 95))
-    if low > 0.8 * high:
+    if low > 0.86 * high:
         return 1.2 * float(high) if high < PALE else 0.0
     paper = np.sort(tallest[tallest < 1.6 * low + 4])
     if len(paper) < 0.92 * len(tallest):
@@ -96,17 +97,19 @@ def without_bands(contrast: Gray, floor: float) -> Gray:
     floor    : contrast below which nothing is ink
     returns  : (h, w); `contrast` itself where there are none
     """
-    solid = contrast > floor
-    least = max(8, max(contrast.shape) // 100)
+    solid = np.asarray(contrast > floor)
     rows, columns = solid.mean(axis=1) > 0.93, solid.mean(axis=0) > 0.93
-    top, bottom, left, right = (_leading(v) for v in (rows, rows[::-1], columns, columns[::-1]))
-    if max(top, bottom, left, right) < least:
+    ends = [_leading(v) for v in (rows, rows[::-1], columns, columns[::-1])]
+    least = max(8, max(contrast.shape) // 100)
+    if max(ends) < least:
         return contrast
     h, w = contrast.shape
-    inner = np.zeros_like(contrast)
-    t, b, x, y = (n + 3 if n >= least else 0 for n in (top, bottom, left, right))
-    inner[t : h - b, x : w - y] = contrast[t : h - b, x : w - y]
-    return inner
+    inner = contrast[ends[0] : h - ends[1], ends[2] : w - ends[3]]
+    least = max(least, int(2.2 * rough_pen_width(np.asarray(inner > max(floor, 0.5 * float(inner.max()))))))
+    top, bottom, left, right = (n + 3 if n >= least else 0 for n in ends)  # else it is a stroke along the frame
+    result = np.zeros_like(contrast)
+    result[top : h - bottom, left : w - right] = contrast[top : h - bottom, left : w - right]
+    return result
 
 
 def _leading(values: Bools) -> int:

@@ -94,7 +94,8 @@ def test_black_edges_of_a_scan_and_window_bars_are_no_ink() -> None:
     assert not mask[:, :18].any()
 
 
-def test_a_drawing_along_the_frame_stays() -> None:
+@pytest.mark.parametrize("pen", [3, 16])
+def test_a_drawing_along_the_frame_stays(pen: int) -> None:
     image = np.full((300, 300), 255, np.uint8)
-    image[:3], image[-3:], image[:, :3], image[:, -3:], image[100:103] = 0, 0, 0, 0, 0
+    image[:pen], image[-pen:], image[:, :pen], image[:, -pen:], image[100 : 100 + pen] = 0, 0, 0, 0, 0
     assert np.array_equal(find_ink(Picture(np.dstack([image] * 3))).mask, image == 0)
