@@ -60,12 +60,17 @@ def wait(check: Callable[[], Any], seconds: float = 30) -> Any:
         time.sleep(0.05)
 
 
+def read(page: Chrome, css: str, what: str = "textContent") -> str:
+    """A property of an element, asked for in one go, since the page may paint in between."""
+    return str(page.execute_script("return document.querySelector(arguments[0])?.[arguments[1]] ?? ''", css, what))
+
+
 def message(page: Chrome) -> str:
-    return page.find_element(By.ID, "message").text
+    return read(page, "#message")
 
 
 def volume(page: Chrome) -> float:
-    return float(page.find_element(By.ID, "facts").get_attribute("data-volume") or 0)
+    return float(page.execute_script("return document.getElementById('facts').dataset.volume || 0"))
 
 
 def upload(page: Chrome, path: Path) -> None:
@@ -90,10 +95,17 @@ def vertex(page: Chrome, face: int, index: int) -> Any:
 
 
 def place(page: Chrome, face: int, index: int) -> tuple[float, float]:
-    """Where a vertex is, pixels of the picture; asked in one go, since the page may paint in between."""
+    """Where a vertex is, pixels of the picture."""
     ask = "const s = document.querySelector(arguments[0]); return [+s.getAttribute('cx'), +s.getAttribute('cy')]"
     x, y = page.execute_script(ask, selector(face, index))
     return x, y
+
+
+def press(page: Chrome, face: int, index: int, *keys: str) -> None:
+    """Press keys on a vertex that has the focus."""
+    page.execute_script("document.querySelector(arguments[0]).parentNode.focus()", selector(face, index))
+    for key in keys:
+        ActionChains(page).send_keys(key).perform()
 
 
 def downloaded(folder: Path, name: str) -> Path:
@@ -164,7 +176,7 @@ def test_a_box_drawn_with_the_mouse_becomes_a_solid(page: Chrome) -> None:
 def test_a_real_size_scales_the_solid_at_once(page: Chrome, box_file: Path) -> None:
     upload(page, box_file)
     page.find_element(By.ID, "size-value").send_keys("40")
-    wait(lambda: re.search(r"\b40 (×.*)?mm$", page.find_element(By.CSS_SELECTOR, "#facts dd").text))
+    wait(lambda: re.search(r"\b40 (×.*)?mm$", read(page, "#facts dd")))
 
 
 def test_vertices_are_added_deleted_and_given_to_the_other_face(page: Chrome, box_file: Path) -> None:
@@ -183,17 +195,17 @@ def test_vertices_are_added_deleted_and_given_to_the_other_face(page: Chrome, bo
         editor, round((x0 + x1) / 2 + 6 - middle[0]), round((y0 + y1) / 2 + 6 - middle[1] - 15)
     ).click().perform()
     assert count() == 10
-    vertex(page, 1, 1).find_element(By.XPATH, "..").send_keys(Keys.DELETE)
+    press(page, 1, 1, Keys.DELETE)
     assert count() == 8
     front = place(page, 1, 0)
-    vertex(page, 1, 0).find_element(By.XPATH, "..").send_keys("f")
+    press(page, 1, 0, "f")
     assert place(page, 2, 0) == front
 
 
 def test_a_vertex_moves_by_the_arrow_keys(page: Chrome, box_file: Path) -> None:
     upload(page, box_file)
     x, y = place(page, 2, 3)
-    vertex(page, 2, 3).find_element(By.XPATH, "..").send_keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_UP)
+    press(page, 2, 3, Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_UP)
     assert place(page, 2, 3) == pytest.approx((x + 2, y - 1))
     assert "vertex 4" in page.switch_to.active_element.get_attribute("aria-label")  # the focus stays on it
 
@@ -239,7 +251,7 @@ def test_single_vertices_are_told_apart_and_connected(page: Chrome, tmp_path: Pa
 
 def test_corrections_are_saved_and_read_back(page: Chrome, box_file: Path, downloads: Path) -> None:
     upload(page, box_file)
-    vertex(page, 1, 0).find_element(By.XPATH, "..").send_keys(Keys.ARROW_LEFT)
+    press(page, 1, 0, Keys.ARROW_LEFT)
     moved = place(page, 1, 0)
     page.find_element(By.ID, "save").click()
     file = downloaded(downloads, "box.corrections.json")
