@@ -127,15 +127,22 @@ def _outputs_of(arguments: Namespace) -> list[Output]:
     outs = arguments.output or (["-"] if source == "-" else [os.path.dirname(source) or "."])
     wanted = [output for out in outs for output in _outputs_at(out, source, arguments)]
     if arguments.json:
-        files = [o.path for o in wanted if o.path != "-"]
+        files = [o for o in wanted if o.path != "-"]
         if not files:
             raise UsageError("--json has no file to be written beside", remedy="-o FILE, or --format json -o -")
-        wanted += [Output("json", os.path.splitext(path)[0] + ".json") for path in files]
+        wanted += [Output("json", _stem(o) + ".json") for o in files]
     wanted += [Output(kind, getattr(arguments, kind)) for kind in PICTURES if getattr(arguments, kind)]
     unique = list(dict.fromkeys(wanted))
     if len({o.path for o in unique}) < len(unique):
         raise UsageError("two outputs have the same name", remedy="another -o or --format")
     return unique
+
+
+def _stem(output: Output) -> str:
+    """The path without the ending: "a" for "a.obj" and for "a.face.svg"."""
+    ending = suffix(output.product)
+    known = output.path.lower().endswith(ending)
+    return output.path[: -len(ending)] if known else os.path.splitext(output.path)[0]
 
 
 def _outputs_at(out: str, source: str, arguments: Namespace) -> list[Output]:

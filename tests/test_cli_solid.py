@@ -44,3 +44,17 @@ def test_unknown_words_are_refused_by_the_parser():
         parse(["a.png", "--projection", "fisheye"])
     assert exit_.value.code == 2
     assert isinstance(parse(["a.png"]), argparse.Namespace)
+
+
+def test_one_report_stands_beside_outputs_of_one_name(tmp_path, monkeypatch, capsys):
+    from sketch2shape.cli import main
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.png").write_bytes(b"")
+    assert main(["a.png", "-o", "b.obj", "-o", "b.face.svg", "-o", "b.stp", "--json", "--dry-run"]) == 0
+    assert [line.split("\t")[1] for line in capsys.readouterr().out.splitlines()] == [
+        "b.obj",
+        "b.face.svg",
+        "b.stp",
+        "b.json",
+    ]

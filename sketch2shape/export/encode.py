@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from sketch2shape.errors import UsageError
+from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.model import Solid
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def encode(result: Result | Solid | Sequence[Solid], format: str, *, ngons: bool
     format : a key of `FORMATS`; the drawings "svg" and "dxf" need a whole result
     ngons  : in OBJ, write whole polygons as faces instead of triangles
 
-    Raises UsageError for an unknown format.
+    Raises UsageError for an unknown format, NoObjectError if there is no solid.
     """
     from sketch2shape.result import Result
 
@@ -55,6 +55,8 @@ def encode(result: Result | Solid | Sequence[Solid], format: str, *, ngons: bool
         return _drawing(result, format)
     many = result.solids if isinstance(result, Result) else result
     solids = (many,) if isinstance(many, Solid) else tuple(many)
+    if not solids:
+        raise NoObjectError("there is no object to write")
     return _obj(solids, ngons=ngons) if format == "obj" else _ENCODERS[format](solids)
 
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from sketch2shape.errors import UsageError
+from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.export import encode, format_of, mesh_faces, to_trimesh
 from sketch2shape.model import Projection, Solid
 
@@ -95,3 +95,9 @@ def test_format_is_known_by_its_extension():
         format_of("a.xyz")
     with pytest.raises(UsageError, match="unknown format"):
         encode([], "xyz")
+
+
+@pytest.mark.parametrize("format", ["obj", "stl", "3mf", "step"])
+def test_nothing_is_not_written(format):
+    with pytest.raises(NoObjectError):
+        encode([], format)
