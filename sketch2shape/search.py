@@ -115,10 +115,9 @@ def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> separate.C
 
 def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
     """Closed ladders of rungs, each also with the smaller ones inside it as holes."""
-    budget = MOST_STEPS
     for ladder in separate.ladders(graph):
         found: dict[frozenset[int], Rings] = {}
-        for cycle in separate.cycles(ladder, min(budget, MOST_STEPS // 6)):
+        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6):
             key = frozenset(cycle.tolist())
             if key not in found:
                 found[key] = separate.ring_pair(ladder, graph, cycle)
@@ -160,12 +159,16 @@ def find(group: Group) -> Found | None:
         return None
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     best: Found | None = None
+    good_since = 99
     for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
         found = _round(group, skeleton, tolerant)
-        if found is not None and (best is None or found.evidence.score - 0.01 * k > best.evidence.score):
+        if found is not None and (best is None or _merit(found) - 0.01 * k > _merit(best)):
             best = found
-        if best is not None and best.evidence.score >= GOOD - 0.01 * k:
+        # an answer that is good but not perfect has to hold against those of the next round
+        if best is not None and (best.evidence.score >= PERFECT or k > good_since):
             break
+        if best is not None and best.evidence.score >= GOOD - 0.01 * k:
+            good_since = min(good_since, k)
     return best
 
 
@@ -229,7 +232,7 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
     if not plausible(moved, 0.0) or judge(moved, sheet).score < evidence.score - 0.01:
         moved = rings
     strict = replace(sheet, reach=min(sheet.reach, max(2.0, 3.0 * noise + 0.1 * sheet.pen + 1.0)))
-    simpler, judged = simplified(moved, judge(moved, strict), strict)
+    simpler, judged = simplified(moved, judge(moved, strict), strict, noise)
     if len(simpler.vertices) < len(moved.vertices):
         again, noise = refine(simpler, skeleton.points, sheet.reach, judged.drawn)
         if plausible(again, 0.0):
@@ -239,17 +242,22 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
     return Found(simpler, judged, sheet.reach, noise)
 
 
-def simplified(rings: Rings, evidence: Evidence, sheet: Sheet) -> tuple[Rings, Evidence]:
-    """Without the vertices that the drawing does not need: of two answers that explain it, the simpler one holds."""
+def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float) -> tuple[Rings, Evidence]:
+    """Without the vertices that the drawing does not need: of two answers that explain it, the simpler one holds.
+
+    noise : rms distance between lines and ink, pixels; a steady hand means every bend it makes
+    """
+    best = evidence.score
+    thick = max(0.0, sheet.pen / sheet.size - 0.01)
     while True:
         n = sum(len(r) for r in rings.front)
         # what dropping a true vertex costs goes with its share of the edges
-        slack = 0.15 / n + sheet.pen / sheet.size
-        for fewer in _simpler(rings, 3 * sheet.pen + 0.04 * sheet.size):
+        slack = min(0.15 / n, 0.002 + 0.03 * max(0.0, noise - 0.3)) + thick
+        for fewer in _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5)):
             if plausible(fewer, 0.0):
                 judged = judge(fewer, sheet)
-                if judged.score >= evidence.score - slack:
-                    rings, evidence = fewer, judged
+                if judged.score >= best - slack:
+                    rings, evidence, best = fewer, judged, max(best, judged.score)
                     break
         else:
             return rings, evidence

@@ -10,7 +10,7 @@ graph: rungs of one object form a closed ladder.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -200,6 +200,34 @@ def _refit(graph: CornerGraph, rungs: Ints, h: Floats) -> Floats:
         if np.linalg.norm(homology.apply(fit, src) - dst, axis=1).max() <= 0.6 * graph.tolerance:
             return fit
     return h
+
+
+def likely_cycles(ladder: Ladder, graph: CornerGraph, budget: int) -> Iterator[Ints]:
+    """Cycles without links that run on through a rung between, then, where there are such links, all cycles."""
+    through = _runs_through(ladder, graph)
+    if through.any():
+        yield from cycles(replace(ladder, links=ladder.links & ~through), budget)
+    yield from cycles(ladder, budget)
+
+
+def _runs_through(ladder: Ladder, graph: CornerGraph) -> Bools:
+    """(m, m): links that pass a third rung's corner in both faces, where that rung is linked to both ends."""
+    links, m = ladder.links, len(ladder.rungs)
+    through = np.zeros((m, m), bool)
+    faces = [graph.points[ladder.rungs[:, f]] for f in (0, 1)]
+    if m > 60:
+        return through
+    k, j = np.nonzero(np.triu(links, 1))
+    between = links[k] & links[j]
+    for p in faces:
+        span = p[j] - p[k]
+        length = np.linalg.norm(span, axis=1)[:, None] + 1e-9
+        q = p[None] - p[k][:, None]
+        along = (q * span[:, None]).sum(axis=2) / length
+        across = np.abs(q[..., 0] * span[:, None, 1] - q[..., 1] * span[:, None, 0]) / length
+        between &= (across < 0.6 * graph.tolerance) & (along > 1e-6) & (along < length - 1e-6)
+    through[k, j] = through[j, k] = between.any(axis=1)
+    return through
 
 
 def cycles(ladder: Ladder, budget: int = 4000) -> Iterator[Ints]:
