@@ -102,7 +102,7 @@ def converges(drawing: Drawing, fit_rss: float) -> bool:
     parallel_rss = 2.0 * (2 * m - 2) * drawing.relation.translation_rms**2
     variance = max(fit_rss / freedom, 2.0 * drawing.noise**2)
     needed = 0.5 * freedom * (_CHANCE ** (-2.0 / freedom) - 1.0)
-    return (parallel_rss - fit_rss) / 2.0 > needed * variance
+    return bool((parallel_rss - fit_rss) / 2.0 > needed * variance)
 
 
 def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:
