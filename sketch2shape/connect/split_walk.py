@@ -98,17 +98,18 @@ def _axes(points: Floats, axis: Axis) -> tuple[Floats, Floats]:
 
 def _order(x: Floats, y: Floats) -> tuple[Ints, bool, bool]:
     """The ring order, whether a region had ties, and whether r1 is the seed alone."""
-    ranked = sort_by_x_then_y(x, y)
-    xs, ys = x[ranked], y[ranked]
-    check_distinct(np.column_stack((x, y)), ranked) if bool(_equal_neighbours(xs, ys)) else None
+    ranked, xs, ys = sort_by_x_then_y(x, y)
+    if _equal_neighbours(xs, ys):
+        check_distinct(np.column_stack((x, y)), ranked)
     first = ys <= y.mean()
     lone = not bool(first[1:].any())
     first[0] = True  # the seed is in r1, wherever it lies
     chains, tied = [], False
-    for region in (np.flatnonzero(first), np.flatnonzero(~first)):
-        walked, ties = _walk(xs[region], ys[region], seed=(float(xs[0]), float(ys[0])))
-        tied |= ties
-        chains.append(ranked[region] if walked is None else ranked[region[walked]])
+    for region in (first, ~first):
+        members = ranked[region]
+        walked = _walk(xs[region], ys[region], seed=(float(xs[0]), float(ys[0])))
+        tied |= walked is not None
+        chains.append(members if walked is None else members[walked])
     return np.concatenate((chains[0], chains[1][::-1])), tied, lone
 
 
@@ -119,8 +120,8 @@ def _equal_neighbours(xs: Floats, ys: Floats) -> bool:
 # ---------------------------------------------------------------- list initialisation
 
 
-def sort_by_x_then_y(x: Floats, y: Floats) -> Ints:
-    """(n,) indices that sort by x, equal x by y.
+def sort_by_x_then_y(x: Floats, y: Floats) -> tuple[Ints, Floats, Floats]:
+    """(n,) indices that sort by x, equal x by y; and the sorted x and y.
 
     Strategy: pack x, y and the index into one unsigned 64-bit number and sort those: no gathers, and linear in
     practice. Coordinates that are not whole numbers, or too wide, are first mapped to as many integer levels as fit;
@@ -128,36 +129,49 @@ def sort_by_x_then_y(x: Floats, y: Floats) -> Ints:
     """
     n = len(x)
     if n < 256:
-        return np.lexsort((y, x))
-    index_bits = int(n - 1).bit_length()
-    low, span = x.min(), np.ptp(x)
-    y_low, y_span = y.min(), np.ptp(y)
-    wide, tall = int(span).bit_length(), int(y_span).bit_length()
-    if wide + tall + index_bits <= 64 and _whole(x) and _whole(y):
-        keys = (x - low).astype(np.uint64)
-        keys <<= np.uint64(tall)
-        keys |= (y - y_low).astype(np.uint64)
-        return _sorted_index(keys, index_bits)
-    levels = float(2 ** min(64 - index_bits, 52) - 1)
-    order = _sorted_index(((x - low) * (levels / span)).astype(np.uint64), index_bits)
-    return _settle_ties(order, x, y, low, levels / span)
+        order = np.lexsort((y, x))
+        return order, x[order], y[order]
+    bits, low, y_low = int(n - 1).bit_length(), x.min(), y.min()
+    span, tall = x.max() - low, int(y.max() - y_low).bit_length()
+    if int(span).bit_length() + tall + bits <= 64:
+        across, up = _whole(x, low), _whole(y, y_low)
+        if across is not None and up is not None:
+            return _sort_packed(across, up, tall, bits, (low, y_low))
+    scale = float(2 ** min(64 - bits, 52) - 1) / span
+    keys = _sorted_keys(((x - low) * scale).astype(np.uint64), bits)
+    order = _settle_ties((keys & np.uint64((1 << bits) - 1)).astype(np.intp), keys >> np.uint64(bits), x, y)
+    return order, x[order], y[order]
 
 
-def _whole(values: Floats) -> bool:
-    return bool(np.array_equal(values, np.rint(values)))
+def _whole(values: Floats, low: float) -> NDArray[np.uint64] | None:
+    """The values above the lowest as whole numbers, or None if some are not whole."""
+    above = (values - low).astype(np.uint64)
+    return above if float(low).is_integer() and bool((above + low == values).all()) else None
 
 
-def _sorted_index(keys: NDArray[np.uint64], index_bits: int) -> Ints:
-    keys = keys << np.uint64(index_bits)
+def _sort_packed(
+    x: NDArray[np.uint64], y: NDArray[np.uint64], tall: int, bits: int, low: tuple[float, float]
+) -> tuple[Ints, Floats, Floats]:
+    x <<= np.uint64(tall)
+    x |= y
+    keys = _sorted_keys(x, bits)
+    order = (keys & np.uint64((1 << bits) - 1)).astype(np.intp)
+    keys >>= np.uint64(bits)
+    ys = (keys & np.uint64((1 << tall) - 1)).astype(np.float64) + low[1]
+    keys >>= np.uint64(tall)
+    return order, keys.astype(np.float64) + low[0], ys
+
+
+def _sorted_keys(keys: NDArray[np.uint64], bits: int) -> NDArray[np.uint64]:
+    """Sorted keys, each with its index in the lowest bits. Overwrites `keys`."""
+    keys <<= np.uint64(bits)
     keys |= np.arange(len(keys), dtype=np.uint64)
     keys.sort()
-    keys &= np.uint64((1 << index_bits) - 1)
-    return keys.astype(np.intp)
+    return keys
 
 
-def _settle_ties(order: Ints, x: Floats, y: Floats, low: float, scale: float) -> Ints:
+def _settle_ties(order: Ints, level: NDArray[np.uint64], x: Floats, y: Floats) -> Ints:
     """Sort exactly within each run of points that share a level."""
-    level = ((x[order] - low) * scale).astype(np.uint64)
     equal = level[1:] == level[:-1]
     tied = np.flatnonzero(np.r_[equal, False] | np.r_[False, equal])
     if len(tied):
@@ -169,59 +183,69 @@ def _settle_ties(order: Ints, x: Floats, y: Floats, low: float, scale: float) ->
 # ---------------------------------------------------------------- walking
 
 
-def _walk(xs: Floats, ys: Floats, seed: tuple[float, float]) -> tuple[Ints | None, bool]:
-    """Reorder a region sorted by x then y by the angle rule: (positions or None for "as it is", ties present).
+def _walk(xs: Floats, ys: Floats, seed: tuple[float, float]) -> Ints | None:
+    """Positions that put a region sorted by x then y into walking order, or None if it has no ties.
 
-    Strategy: a column (points of equal x) is entered at the y nearest to the point before it, and left at its highest
-    point, or at the second highest if it was entered at the highest. So a column has two states only; how each maps
-    the state of the column before it to its own is found for all columns at once, and chained by a running parity.
+    Strategy: only columns (runs of equal x) of two or more points need thought. Such a column is entered at the y
+    nearest to the point before it, and left at its highest point, or at the second highest if it was entered at the
+    highest: it has two states only. How each column maps the state of the one before it to its own is found for all
+    columns at once, and chained by a running parity.
     """
     n = len(xs)
-    if n == 0:
-        return None, False
-    opens = np.r_[True, xs[1:] != xs[:-1]]
-    start = np.flatnonzero(opens)
-    if len(start) == n:
-        return None, False
-    size = np.diff(np.r_[start, n])
+    opens = np.flatnonzero(xs[1:] != xs[:-1]) + 1
+    if len(opens) >= n - 1:
+        return None
+    start = np.concatenate((np.zeros(1, dtype=np.intp), opens))
+    size = np.diff(start, append=n)
+    tied = np.flatnonzero(size > 1)
+    start, size = start[tied], size[tied]
     last = start + size - 1
-    second = np.maximum(last - 1, start)
-    before = np.r_[0, np.arange(len(start) - 1)]  # the column before; the first has the seed before it instead
-    entries = []
-    for leave in (last, second):
-        y_before = ys[leave][before]
-        y_before[0] = seed[1] if xs[0] > seed[0] else -np.inf  # beside the seed: 90 degrees for all, so list order
-        entries.append(_nearest(ys, y_before, start, size))
-    state = _chain_states(entries[0] == last, entries[1] == last, size > 1)
-    came_from = np.r_[0, state[:-1]]
-    entry = np.where(came_from == 1, entries[1], entries[0])
-    return _entries_first(n, start, size, entry), True
+    follows = np.concatenate(([False], (np.diff(tied) == 1)))  # the column before it is tied as well
+    y_last, y_second = ys[start - 1], ys[start - 1 - follows]  # of the column before: highest, second highest
+    if tied[0] == 0:  # the column before is the seed; beside the seed all lie at 90 degrees: list order
+        y_last[0] = y_second[0] = seed[1] if xs[0] > seed[0] else ys[0]
+    from_last = _nearest(ys, y_last, start, size)
+    from_second = _nearest(ys, y_second, start, size)
+    second_left = _chain_states(from_last == last, from_second == last, follows)
+    came_from_second = np.concatenate(([False], second_left[:-1])) & follows
+    return _entries_first(n, start, size, np.where(came_from_second, from_second, from_last))
+
+
+def _inside(start: Ints, size: Ints) -> Ints:
+    """Positions of all members of columns, one column after the other."""
+    begin = np.cumsum(size) - size
+    return np.asarray(np.arange(int(size.sum())) + np.repeat(start - begin, size))
 
 
 def _nearest(ys: Floats, target: Floats, start: Ints, size: Ints) -> Ints:
     """For each column the position whose y is nearest to its target; of two equally near the lower."""
-    with np.errstate(invalid="ignore"):
-        gap = np.abs(ys - np.repeat(np.where(np.isfinite(target), target, ys[start]), size))
-    least = np.repeat(np.minimum.reduceat(gap, start), size)
-    position = np.where(gap == least, np.arange(len(ys)), len(ys))
-    return np.asarray(np.minimum.reduceat(position, start))
+    members, begin = _inside(start, size), np.cumsum(size) - size
+    gap = np.abs(ys[members] - np.repeat(target, size))
+    least = np.repeat(np.minimum.reduceat(gap, begin), size)
+    return np.asarray(np.minimum.reduceat(np.where(gap == least, members, len(ys)), begin))
 
 
-def _chain_states(from_last: Bools, from_second: Bools, several: Bools) -> Ints:
-    """1 where a column is left at its second highest point, given that of the column before, for all columns."""
-    zero, one = from_last & several, from_second & several
-    fixed = zero == one
-    fixed[0] = True
+def _chain_states(zero: Bools, one: Bools, follows: Bools) -> Bools:
+    """Which columns are left at their second highest point.
+
+    zero, one : whether a column is, if the one before it was left at its highest, at its second highest point
+    follows   : whether there is a choice, that is whether the column before it is tied
+    """
+    fixed = (zero == one) | ~follows
     anchor = np.maximum.accumulate(np.where(fixed, np.arange(len(fixed)), 0))
     flips = np.cumsum(~fixed & zero)
-    return np.asarray((zero[anchor].astype(np.intp) + flips - flips[anchor]) % 2)
+    return np.asarray((zero[anchor] + flips - flips[anchor]) % 2 == 1)
 
 
 def _entries_first(n: int, start: Ints, size: Ints, entry: Ints) -> Ints:
     """Positions with each column's entry moved to its front, the rest in list order."""
-    position = np.arange(n)
-    front, head = np.repeat(entry, size), np.repeat(start, size)
-    return np.where(position == head, front, np.where(position <= front, position - 1, position))
+    walked = np.arange(n)
+    moved = entry != start
+    start, size, entry = start[moved], entry[moved] - start[moved] + 1, entry[moved]
+    members = _inside(start, size)  # from the front of the column to its entry
+    walked[members] = members - 1
+    walked[start] = entry
+    return walked
 
 
 # ---------------------------------------------------------------- preconditions

@@ -86,7 +86,19 @@ def test_packed_sort_equals_lexsort(n, kind):
         "fractions": lambda: rng.normal(0, 1, (2, n)),
         "few levels": lambda: np.r_[rng.integers(0, 4, n) * 1e-14, rng.normal(0, 1, n)].reshape(2, n),
     }[kind]()
-    assert np.array_equal(sort_by_x_then_y(x, y), np.lexsort((y, x)))
+    order, xs, ys = sort_by_x_then_y(x, y)
+    assert np.array_equal(order, np.lexsort((y, x)))
+    assert np.array_equal(xs, x[order])
+    assert np.array_equal(ys, y[order])
+
+
+def test_the_vector_form_on_more_points_than_fit_one_register():
+    rng = np.random.default_rng(9)
+    points = np.unique(rng.integers(0, 60, (1500, 2)), axis=0)
+    points = points[rng.permutation(len(points))]
+    for moved in (points, points - 30, points + 0.25, points * 0.1):
+        rows = [tuple(row) for row in moved.tolist()]
+        assert connect(moved, "split-walk").tolist() == literal(rows)
 
 
 def test_duplicates_among_many_are_found():
