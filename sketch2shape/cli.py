@@ -93,6 +93,10 @@ def _reading_options(parser: argparse.ArgumentParser) -> None:
 def _method_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("method")
     group.add_argument("--connector", metavar="NAME", default="auto", help="orders face vertices (default auto)")
+    group.add_argument(
+        "--detector", choices=("auto", "both", "shi-tomasi", "harris"), default="auto",
+        help="corner detector that has to see the vertices found (default: both, where there is doubt)",
+    )  # fmt: skip
     group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
 
 

@@ -53,7 +53,8 @@ def settings_of(arguments: Namespace) -> Settings:
 
 def stage_options(arguments: Namespace) -> dict[str, Any]:
     """Keyword arguments of `reconstruct`."""
-    options: dict[str, Any] = {} if arguments.connector == "auto" else {"connector": arguments.connector}
+    named = {"connector": arguments.connector, "detector": arguments.detector}
+    options: dict[str, Any] = {name: value for name, value in named.items() if value != "auto"}
     lifting = _lift_options(arguments)
     return options if lifting is None else {**options, "lift": lifting}
 

@@ -12,26 +12,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-import cv2
 import numpy as np
 
 from sketch2shape.corners import Corners as Joined
 from sketch2shape.corners import join_ends
-from sketch2shape.errors import UsageError
-from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.placing import to_picture
+from sketch2shape.proposals import DETECTORS, Detector, check_detector, near, propose, reach_of
 from sketch2shape.strokes import Strokes
 from sketch2shape.tracing import drawn_strokes, ink_of, working_tolerance
 
-Detector = Literal["both", "shi-tomasi", "harris"]
-DETECTORS: tuple[str, ...] = ("both", "shi-tomasi", "harris")
 Kind = Literal["end", "L", "Y", "W", "T", "X", "multi"]
 
-PEN = 2.5
-"""Pen width, pixels, at which the detectors look: wider lines would be seen as two edges each."""
-MOST = 600
-QUALITY = {"shi-tomasi": 0.05, "harris": 0.004}
-"""Least response as a part of the strongest. Harris' grows with the square of Shi-Tomasi's."""
 STRAIGHT = 0.26
 """Two strokes that meet at less than this (radians, 15 degrees) from straight run on through the corner."""
 SPECK = 0.05
@@ -87,7 +79,7 @@ def detect_corners(source: Any, detector: Detector = "both", *, tolerance: float
     if not len(strokes.ends):
         return _empty()
     found = _with_crossings(strokes, ink.pen_width)
-    seen = {name: _near(found.points, propose(ink, name), reach_of(ink, stray)) for name in DETECTORS[1:]}
+    seen = {name: near(found.points, propose(ink, name), reach_of(ink, stray)) for name in DETECTORS[1:]}
     counts = seen["shi-tomasi"] | seen["harris"] if detector == "both" else seen[detector]
     keep = np.flatnonzero(counts)
     return DetectedCorners(
@@ -97,40 +89,6 @@ def detect_corners(source: Any, detector: Detector = "both", *, tolerance: float
         seen["shi-tomasi"][keep],
         seen["harris"][keep],
     )
-
-
-def check_detector(name: str) -> None:
-    """Raise UsageError unless it is one of `DETECTORS`."""
-    if name not in DETECTORS:
-        raise UsageError(f"expected detector to be one of {', '.join(DETECTORS)}, got {name!r}")
-
-
-def reach_of(ink: Ink, tolerance: float) -> float:
-    """Working pixels between a corner and what a detector sees of it: a blunt pen moves it inwards."""
-    return 3.0 + 1.5 * ink.pen_width + 2.0 * tolerance
-
-
-def propose(ink: Ink, detector: str) -> Floats:
-    """Places that "shi-tomasi", "harris" or "both" take for corners, strongest first: (k, 2) float, working pixels.
-
-    Looked for around the ink only, in a picture so small that the pen is a few pixels wide.
-    """
-    if detector == "both":
-        return np.concatenate([propose(ink, name) for name in DETECTORS[1:]])
-    box = cv2.boundingRect(ink.mask.astype(np.uint8))
-    if not box[2]:
-        return np.zeros((0, 2))
-    margin = int(2 * ink.pen_width) + 4
-    x, y = max(box[0] - margin, 0), max(box[1] - margin, 0)
-    part: Any = (ink.strength * ink.mask)[y : box[1] + box[3] + margin, x : box[0] + box[2] + margin]
-    scale = min(1.0, PEN / ink.pen_width)
-    if scale < 1.0:
-        part = cv2.resize(part, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
-    found = cv2.goodFeaturesToTrack(
-        part, MOST, QUALITY[detector], 4, blockSize=5, useHarrisDetector=detector == "harris", k=0.04
-    )
-    points = np.zeros((0, 2)) if found is None else found[:, 0].astype(float)
-    return np.asarray((points + 0.5) / scale - 0.5 + [x, y])
 
 
 @dataclass(frozen=True)
@@ -236,11 +194,3 @@ def _crossings(strokes: Strokes, corners: Floats, pen: float) -> tuple[Floats, I
         groups.append([k]) if home is None else home.append(k)
     middle = np.array([points[g].mean(axis=0) for g in groups]).reshape(-1, 2)
     return middle, np.array([len(np.unique(pairs[g])) for g in groups], np.intp)
-
-
-def _near(points: Floats, proposals: Floats, reach: float) -> Bools:
-    """Whether each point has a proposal within reach."""
-    if not len(proposals) or not len(points):
-        return np.zeros(len(points), bool)
-    gap = np.linalg.norm(points[:, None] - proposals[None], axis=2)
-    return np.asarray(gap.min(axis=1) <= reach)

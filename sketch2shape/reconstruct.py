@@ -8,10 +8,13 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from sketch2shape.errors import NoObjectError
 from sketch2shape.model import Ink, TwoFaceObject
 from sketch2shape.ordering import check_connector, connector_of
 from sketch2shape.placing import as_object
+from sketch2shape.proposals import SURE, check_detector, vouched
 from sketch2shape.result import Result
 from sketch2shape.search import Found, find_all
 
@@ -28,6 +31,7 @@ def reconstruct(
     source: Any,
     *,
     connector: str = "auto",
+    detector: str = "auto",
     limits: Limits | None = None,
     lift: LiftOptions | None = None,
     corrections: Corrections | None = None,
@@ -36,12 +40,14 @@ def reconstruct(
 
     source      : path, bytes, PIL image, array (gray, RGB, RGBA) or `Picture`
     connector   : orders the vertices of each face where the ink agrees: "auto", a method of `connect`, or "ink"
+    detector    : "shi-tomasi", "harris" or "both" have to see the vertices found, or confidence falls; "auto" asks both
+                  where there is doubt
     limits      : what is refused before decoding
     lift        : how to read the third dimension
     corrections : what a person put right by hand; complete ones replace the reading
 
-    Raises UsageError for an unknown connector, UnreadableError, LimitError, or NoObjectError if no two-face object is
-    found with enough confidence.
+    Raises UsageError for an unknown connector or detector, UnreadableError, LimitError, or NoObjectError if no two-face
+    object is found with enough confidence.
     """
     from sketch2shape.corrections import corrected, lift_options
     from sketch2shape.ink import find_ink
@@ -50,6 +56,8 @@ def reconstruct(
     from sketch2shape.read import read_picture
 
     check_connector(connector)
+    if detector != "auto":
+        check_detector(detector)
     timings: dict[str, float] = {}
     options = lift or LiftOptions()
     with _timed(timings, "read"):
@@ -59,7 +67,7 @@ def reconstruct(
     with _timed(timings, "ink"):
         ink = find_ink(picture)
     with _timed(timings, "faces"):
-        objects = tuple(_as_object(f, ink, connector) for f in find_all(ink))
+        objects = tuple(_as_object(f, ink, connector, detector) for f in find_all(ink))
     sure = tuple(choose_front(o) for o in objects if o.confidence >= REFUSE_BELOW)
     if not sure:
         raise NoObjectError(_why_not(objects, ink))
@@ -79,15 +87,24 @@ def _timed(timings: dict[str, float], stage: str) -> Iterator[None]:
     timings[stage] = (time.perf_counter() - begin) * 1000
 
 
-def _as_object(found: Found, ink: Ink, connector: str) -> TwoFaceObject:
+def _as_object(found: Found, ink: Ink, connector: str, detector: str) -> TwoFaceObject:
     """In picture pixels, with the connector that gives each face the order that the ink shows."""
     obj = as_object(found.rings, found.evidence, ink)
     return replace(
         obj,
-        confidence=found.confidence,
+        confidence=_confidence(found, ink, detector),
         connectors=(connector_of(obj.f1, connector), connector_of(obj.f2, connector)),
         noise=found.noise / ink.scale,
     )
+
+
+def _confidence(found: Found, ink: Ink, detector: str) -> float:
+    """How well the object explains the ink, less if the corner detectors do not see its vertices."""
+    if detector == "auto" and found.confidence >= SURE:
+        return found.confidence
+    back = np.concatenate(found.rings.back)[found.evidence.drawn]
+    drawn = np.concatenate([*found.rings.front, back])
+    return found.confidence * vouched(ink, drawn, "both" if detector == "auto" else detector, found.noise)
 
 
 def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink) -> str:

@@ -44,6 +44,14 @@ def test_the_connector_of_each_face_is_told_and_can_be_chosen():
     assert same_object(chosen, L_SHAPE, L_SHAPE + DEPTH)
 
 
+@pytest.mark.parametrize("detector", ["both", "shi-tomasi", "harris"])
+def test_a_detector_that_sees_the_vertices_changes_nothing(detector):
+    picture = prism(L_SHAPE, L_SHAPE + DEPTH)
+    told, untold = (s2s.reconstruct(picture, detector=d).objects[0] for d in (detector, "auto"))
+    assert told.confidence == untold.confidence
+    assert np.array_equal(told.vertices, untold.vertices)
+
+
 @pytest.mark.parametrize("kind", ["bytes", "pil", "gray", "rgb", "rgba", "path", "picture"])
 def test_any_kind_of_picture_gives_the_same_answer(kind, tmp_path):
     gray = prism(SQUARE, SQUARE + DEPTH)
@@ -84,6 +92,7 @@ PYRAMID = line(
     line(line(line(outline(np.array([[120.0, 300], [300, 300], [370, 240], [190, 240]])), [120, 300], [240, 90]),
               [300, 300], [240, 90]), [370, 240], [240, 90]), [190, 240], [240, 90]
 )  # fmt: skip
+CIRCLE = cv2.circle(paper(), (240, 200), 120, 0, 2, cv2.LINE_AA)
 TEXT = cv2.putText(paper(), "no prism", (60, 220), cv2.FONT_HERSHEY_SIMPLEX, 2, 0, 3, cv2.LINE_AA)
 NOISE = np.random.default_rng(0).integers(0, 255, (400, 480), np.uint8)
 
@@ -96,11 +105,12 @@ NOISE = np.random.default_rng(0).integers(0, 255, (400, 480), np.uint8)
         (outline(L_SHAPE), None),
         (outline(HEXAGON - [80, 0], picture=outline(SQUARE[:3] + [170, 60])), None),
         (PYRAMID, None),
+        (CIRCLE, None),
         (TEXT, None),
         (NOISE, None),
         (line(paper(), [50, 50], [400, 300]), None),
     ],
-    ids=["blank", "black", "polygon", "two polygons", "pyramid", "text", "noise", "line"],
+    ids=["blank", "black", "polygon", "two polygons", "pyramid", "circle", "text", "noise", "line"],
 )
 def test_a_picture_without_an_object_is_refused_with_a_reason(picture, why):
     with pytest.raises(s2s.NoObjectError) as error:
@@ -129,6 +139,11 @@ def test_a_picture_over_the_limit_is_refused():
 def test_an_unknown_connector_is_refused_before_anything_is_read():
     with pytest.raises(s2s.UsageError, match="split-walk"):
         s2s.reconstruct("/no/such/picture.png", connector="spilt-walk")
+
+
+def test_an_unknown_detector_is_refused_before_anything_is_read():
+    with pytest.raises(s2s.UsageError, match="shi-tomasi"):
+        s2s.reconstruct("/no/such/picture.png", detector="fast")
 
 
 # ------------------------------------------------------------------ any prism: right, or refused
