@@ -26,6 +26,8 @@ GOOD = 0.975
 MOST_STEPS = 24000
 """Steps of the search for cycles in one round."""
 PERFECT = 0.995
+RULED = 3.0
+"""Reach of a round, pixels, up to which lines count as ruled."""
 LEAST_CONFIDENCE = 0.7
 """Below this a group of ink beside an object is not taken for a second one."""
 LEAST_COMPANION = 0.3
@@ -184,7 +186,9 @@ def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
     strokes = trace_strokes(skeleton, tolerant.trace, group.solid)
     graph = corner_graph(skeleton, vertex_candidates(strokes, tolerant, pen), tolerant.reach)
     sheet = _sheet(group, skeleton, tolerant.reach)
-    best = _shortlist(wire_hypotheses(graph), sheet, [])
+    # within the width of a ruled line there is no second answer to a wireframe
+    enough = 1 if tolerant.reach <= RULED else SHORTLIST
+    best = _shortlist(wire_hypotheses(graph), sheet, [], enough)
     if not best or best[0][1].score < GOOD:
         regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
         best = _shortlist(caps.caps(graph, regions, pen), sheet, best)
@@ -207,9 +211,9 @@ def _merit(found: Found) -> float:
 
 
 def _shortlist(
-    hypotheses: Iterator[Rings], sheet: Sheet, best: list[tuple[Rings, Evidence]]
+    hypotheses: Iterator[Rings], sheet: Sheet, best: list[tuple[Rings, Evidence]], enough: int = SHORTLIST
 ) -> list[tuple[Rings, Evidence]]:
-    """The best few of the hypotheses and those already known; a nearly perfect one ends the search."""
+    """The best few of the hypotheses and those already known; enough nearly perfect ones end the search."""
     judged, seen, perfect = list(best), set(), 0
     for count, rings in enumerate(hypotheses):
         if count >= MOST_HYPOTHESES:
@@ -221,7 +225,7 @@ def _shortlist(
         evidence = judge(rings, sheet)
         judged.append((rings, evidence))
         perfect += evidence.score > PERFECT
-        if perfect >= SHORTLIST:
+        if perfect >= enough:
             break
     return sorted(judged, key=lambda j: -j[1].score)[:SHORTLIST]
 
