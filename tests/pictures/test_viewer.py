@@ -43,3 +43,9 @@ def test_a_notebook_gets_a_frame_and_a_picture(box: Result) -> None:
     assert html.startswith("<iframe sandbox=")
     assert "<script>" not in html  # all markup of the page is inside the attribute, escaped
     assert notebook_png(box).startswith(b"\x89PNG")
+
+
+def test_a_result_shows_itself(box: Result, nothing: Result) -> None:
+    assert box._repr_html_() == notebook_html(box)
+    assert box._repr_png_() == notebook_png(box)
+    assert "no two-face object found" in nothing._repr_html_()
