@@ -12,7 +12,7 @@ import stand_in
 from PIL import Image
 
 from sketch2shape.cli import parse
-from sketch2shape.command import run
+from sketch2shape.command import run, stage_options
 from sketch2shape.errors import UsageError, WriteError
 
 
@@ -117,3 +117,9 @@ def test_limits_on_a_single_picture(here, capsys):
     printed = capsys.readouterr().err
     assert "not done after 1 s" in printed
     assert "not enough memory" in printed
+
+
+def test_methods_are_handed_on_only_if_they_are_asked_for():
+    assert stage_options(parse(["a.png"])) == {}
+    asked = stage_options(parse(["a.png", "--connector", "tour", "--detector", "harris"]))
+    assert asked == {"connector": "tour", "detector": "harris"}
