@@ -20,7 +20,7 @@ from sketch2shape.refine import map_cost, refine
 from sketch2shape.regions import enclosed_regions, without_edge
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, Strokes, coverage, thin, trace_strokes
-from sketch2shape.verify import Evidence, Rings, Sheet, judge, plausible, skeleton_sheet, worth_judging
+from sketch2shape.verify import Evidence, Rings, Sheet, is_dashed, judge, plausible, skeleton_sheet, worth_judging
 
 GOOD = 0.975
 MOST_STEPS = 24000
@@ -243,6 +243,11 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
             better = judge(again, strict)
             if better.score >= judged.score - 0.01:
                 simpler, judged = again, better
+    if judged.lines == "wire":
+        # a wide reach bridges the gaps of dashes; and only a front that is seen whole can be in front
+        for way in (simpler, simpler.swapped()):
+            if is_dashed(way, skeleton.points, strict):
+                return Found(way, replace(judge(way, strict), lines="dashed"), sheet.reach, noise)
     return Found(simpler, judged, sheet.reach, noise)
 
 

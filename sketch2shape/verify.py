@@ -250,6 +250,31 @@ def _line_style(near: Bools, hidden: Bools, lengths: Floats) -> Lines:
     return "wire" if share > 0.93 else "dashed" if share > 0.3 else "removed"
 
 
+def is_dashed(rings: Rings, points: Floats, sheet: Sheet) -> bool:
+    """Whether the hidden edges have clearly less ink to the pixel than the visible ones.
+
+    points : (k, 2) float, all skeleton pixels
+    """
+    hidden, perhaps = hidden_samples(rings, 1.5 * sheet.reach)
+    v = rings.vertices
+    edges = ring_edges([len(r) for r in rings.front])
+    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    length = np.linalg.norm(span, axis=1) + 1e-9
+    u = span / length[:, None]
+    q = points[:, None] - a[None]
+    along = (q * u).sum(axis=2)
+    across = np.abs(q[..., 0] * u[:, 1] - q[..., 1] * u[:, 0])
+    mine = (across <= sheet.reach) & (along > 0.1 * length) & (along < 0.9 * length)
+    # a skeleton has one pixel for every step along the longer axis
+    steps = 0.8 * np.abs(span).max(axis=1) + 1e-9
+    density = mine.sum(axis=0) / steps
+    back, front = hidden.mean(axis=1) > 0.8, perhaps.mean(axis=1) < 0.1
+    long = length > 6 * sheet.reach
+    if not (back & long).any() or not (front & long).any():
+        return False
+    return bool(np.median(density[back & long]) < 0.8 * np.median(density[front & long]))
+
+
 def _explained(points: Floats, shown: Bools, sheet: Sheet) -> float:
     """Weighted part of the skeleton within reach of the shown parts of the edges."""
     if not len(sheet.points):
