@@ -214,8 +214,7 @@ def growth(seed: int) -> dict[str, list[tuple[int, float]]]:
     """(n, seconds) of each method on random whole-numbered points."""
     rng = np.random.default_rng(seed)
     curves: dict[str, list[tuple[int, float]]] = {}
-    inputs = [np.unique(rng.integers(0, 10**7, (n, 2)), axis=0) for n in SIZES]
-    inputs = [points[rng.permutation(len(points))] for points in inputs]
+    inputs = [scattered(n, 10**7, rng) for n in SIZES]
     for method in methods():
         limit = find_method(method).limit
         curve: list[tuple[int, float]] = []
@@ -228,6 +227,13 @@ def growth(seed: int) -> dict[str, list[tuple[int, float]]]:
             curve.append((len(points), took))
         curves[method] = curve
     return curves
+
+
+def scattered(n: int, side: int, rng: np.random.Generator) -> NDArray[np.int64]:
+    """About n distinct points with whole coordinates below `side`, in random order."""
+    keys = np.unique(rng.integers(0, side * side, n))
+    rng.shuffle(keys)
+    return np.column_stack(np.divmod(keys, side))
 
 
 def fastest(run: Callable[[], object]) -> float | None:
@@ -267,8 +273,7 @@ def against_a_sort(seed: int) -> str:
     rows = []
     rng = np.random.default_rng(seed)
     for n in (10**4, 10**5, 10**6, 10**7):
-        points = np.unique(rng.integers(0, 10**6 if n < 10**7 else 10**7, (n, 2)), axis=0)
-        points = points[rng.permutation(len(points))]
+        points = scattered(n, 10**6, rng)
         walk = fastest(lambda p=points: connect(p, "split-walk")) or 0.0
         x = np.ascontiguousarray(points[:, 0])
         sort = fastest(lambda x=x: np.argsort(x, kind="stable")) or 1.0
@@ -395,8 +400,10 @@ def main() -> None:
         print(given_points(args.points, {method: {} for method in methods()}))
         return
     args.out.mkdir(parents=True, exist_ok=True)
-    text = "\n\n".join(page(args.count, args.seed, args.out)) + "\n"
-    (args.out / "connectors.md").write_text(text)
+    text = ""
+    for section in page(args.count, args.seed, args.out):
+        text += section + "\n\n"
+        (args.out / "connectors.md").write_text(text.rstrip() + "\n")
     print(f"wrote {args.out / 'connectors.md'}")
 
 

@@ -9,33 +9,32 @@ from __future__ import annotations
 import numpy as np
 
 from sketch2shape.connect.connection import Walk
-from sketch2shape.connect.geometry import cross
 from sketch2shape.model import Floats
+
+#: directions (radians) nearer to each other than this are one: the farther point is the corner
+SAME_DIRECTION = 1e-11
 
 
 def jarvis(points: Floats) -> Walk:
     """The convex hull, counter-clockwise with y up; points inside are left out. O(n h) for h hull corners."""
     start = int(np.lexsort((points[:, 0], points[:, 1]))[0])
-    order = [start]
+    order, heading = [start], 0.0
     while len(order) <= len(points):
-        following = _wrap(points, order[-1])
-        if following == start:
+        following, heading = _wrap(points, order[-1], heading)
+        if following in order:  # the start; or, by rounding, a corner beside it
             break
         order.append(following)
     return Walk(np.array(order, dtype=np.intp))
 
 
-def _wrap(points: Floats, current: int) -> int:
-    """The point with all others to the left of the line to it; the farthest of several on that line."""
+def _wrap(points: Floats, current: int, heading: float) -> tuple[int, float]:
+    """The first point met turning left from the heading (the farthest if several lie there), and its direction."""
     arms = points - points[current]
     reach = np.hypot(arms[:, 0], arms[:, 1])
-    best = int(np.argmax(reach))
-    while True:
-        turn = cross(arms[best], arms)
-        ahead = turn < 0
-        if ahead.any():  # the one farthest round to the right
-            units = arms[ahead] / reach[ahead, None]
-            best = int(np.flatnonzero(ahead)[np.argmin(cross(arms[best], units))])
-            continue
-        on_line = (turn == 0) & ((arms * arms[best]).sum(axis=1) > 0)
-        return int(np.flatnonzero(on_line)[np.argmax(reach[on_line])])
+    direction = np.arctan2(arms[:, 1], arms[:, 0])
+    turn = np.mod(direction - heading, 2 * np.pi)
+    turn[turn > 2 * np.pi - SAME_DIRECTION] = 0.0  # straight on, but for rounding
+    turn[current] = np.inf
+    first = np.flatnonzero(turn <= turn.min() + SAME_DIRECTION)
+    best = int(first[np.argmax(reach[first])])
+    return best, float(direction[best])

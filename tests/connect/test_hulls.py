@@ -25,6 +25,16 @@ def test_points_on_hull_edges_are_left_out(method):
     assert sorted(map(tuple, grid[connect(grid, method)].tolist())) == [(0, 0), (0, 3), (4, 0), (4, 3)]
 
 
+def test_march_ends_among_points_in_line_but_for_rounding(shapes):
+    for turn in np.linspace(0.01, 6.2, 60):
+        view = np.array([[np.cos(turn), -np.sin(turn)], [0.4 * np.sin(turn), np.cos(turn)]])
+        for name in ("U", "plus", "comb", "I"):
+            points = shapes[name] @ view
+            hull = shapely.convex_hull(shapely.multipoints(points))
+            got = shapely.polygons(points[connect(points, "jarvis")])
+            assert got.symmetric_difference(hull).area < 1e-9 * hull.area
+
+
 def test_park_oh_digs_a_notch_and_not_above_its_threshold(shuffle, same_ring):
     # the hull's edge over the notch is 3.54 long, the notch 2.5 from its ends: ratio 1.414
     points, order = shuffle([(0, 0), (6, 0), (6, 3.5), (3.5, 3.5), (3.5, 6), (0, 6)])
