@@ -20,6 +20,10 @@ from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.verify import Rings
 
 
+MOST_RUNGS = 3000
+"""A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
+
+
 @dataclass(frozen=True)
 class CornerGraph:
     """Corners and the ink between them.
@@ -51,7 +55,7 @@ class Ladder:
 def ladders(graph: CornerGraph, most: int = 12) -> Iterator[Ladder]:
     """Candidate ladders: of translations first, then of similarities, then of homologies; each the richest first."""
     rungs = np.argwhere(graph.inked)
-    if len(rungs) < 6:
+    if not 6 <= len(rungs) <= MOST_RUNGS:
         return
     links = _links(graph, rungs)
     seen: set[bytes] = set()
