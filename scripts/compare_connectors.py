@@ -371,12 +371,14 @@ SETS_SAID = """\
 `frontal`: named profiles as drawn or turned; `affine`: sheared and in parallel views; `rectilinear`: random
 polygons of right angles in such views; `random`: star-shaped about a centre nobody knows; `simple`: random points
 joined at random and uncrossed, where many orders are equally good and no method can know. The parameter of a rival
-is the best of a sweep on other frontal faces; "-" is its default. No hull can do the task from corners alone."""
+is the best of a sweep on other frontal faces; "-" is its default. No hull can do the task from corners alone.
+On `simple` the shortest tour is about as good a guess as any."""
 HOLDS = """\
 The paper reports 100 % for its method on its own images. That is right, and provably so, for faces that meet the
 walk's preconditions: both chains between the leftmost and the rightmost vertex never turn back in x, and the line
 y = mean y separates them. Convex faces whose leftmost and rightmost vertices lie near that line do; most faces
-with arms, slots or steps do not. The walk is exact on exactly the faces that meet them, so the two columns agree."""
+with arms, slots or steps do not. The walk is exact on exactly the faces that meet them, so the two columns agree.
+Its 52 % for the unmodified method of Park and Oh is near what `park-oh` gets on the named profiles above."""
 NOISE_SAID = """\
 Vertices moved by Gaussian noise (faces are 300 px large), one vertex missing (right: the ring without it), one
 stray point added (right: the ring that leaves it out, which only hulls can do)."""
@@ -386,7 +388,7 @@ without noise and with 1 px:"""
 TIMES = """\
 Random whole-numbered points; the least of several runs. The paper counts w n for its method (w digits of a radix
 sort) against n log n + n for Park and Oh. Measured, the walk is linear. Where a method leaves points out it can be
-faster than it would be on a face."""
+faster than it would be on a face. Compare times within a table only: the machine had other work at the same time."""
 
 
 def main() -> None:

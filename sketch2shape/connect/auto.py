@@ -35,6 +35,8 @@ ALL_EDGES = 32
 CONVERGE = (0.0, 0.07, -0.07, 0.15, -0.15, 0.24, -0.24)
 #: rings of each kind that are looked at as a whole
 SHORTLIST = 80
+#: rings that are improved, for each kind
+STARTS = 6
 #: residuals that leave little doubt that a face is rectilinear, as parts of its size
 STRAIGHT = (2e-4, 3e-3)
 #: above so many points the tour is not shortened
@@ -180,7 +182,8 @@ def rank_improved(points: Floats, model: Model) -> tuple[Ints, Floats]:
 
 def _improved(kind: Energy, starts: Ints) -> Ints:
     """Rings that no exchange improves, and the best of those one exchange away from the best of them."""
-    minima = improve(kind, starts)
+    likely = np.argsort(kind.of(starts), kind="stable")[:STARTS]
+    minima = improve(kind, starts[likely])
     near, above = neighbours(kind, minima[np.argmin(kind.of(minima))])
     return np.concatenate((minima, near[np.argsort(above, kind="stable")[:SHORTLIST]]))
 
