@@ -13,7 +13,6 @@ KNOWN = {
     "handheavy_wire/000": "heavy wobble",
     "negative/001": "words are taken for an object",
     "negative/005": "a scribble is taken for an object",
-    "negative/008": "a cylinder is taken for an object",
     "negative/009": "a pyramid is taken for a prism",
 }
 
