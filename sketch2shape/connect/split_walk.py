@@ -204,11 +204,14 @@ def _walk(xs: Floats, ys: Floats, seed: tuple[float, float]) -> Ints | None:
     y_last, y_second = ys[start - 1], ys[start - 1 - follows]  # of the column before: highest, second highest
     if tied[0] == 0:  # the column before is the seed; beside the seed all lie at 90 degrees: list order
         y_last[0] = y_second[0] = seed[1] if xs[0] > seed[0] else ys[0]
-    from_last = _nearest(ys, y_last, start, size)
-    from_second = _nearest(ys, y_second, start, size)
-    second_left = _chain_states(from_last == last, from_second == last, follows)
-    came_from_second = np.concatenate(([False], second_left[:-1])) & follows
-    return _entries_first(n, start, size, np.where(came_from_second, from_second, from_last))
+    left_at_second = _chain_states(_highest_nearest(ys, y_last, last), _highest_nearest(ys, y_second, last), follows)
+    came_from_second = np.concatenate(([False], left_at_second[:-1])) & follows
+    return _entries_first(n, start, _nearest(ys, np.where(came_from_second, y_second, y_last), start, size))
+
+
+def _highest_nearest(ys: Floats, target: Floats, last: Ints) -> Bools:
+    """Whether the highest point of each column is nearest to its target; equally near points yield to the lower."""
+    return np.asarray(np.abs(ys[last] - target) < np.abs(ys[last - 1] - target))
 
 
 def _inside(start: Ints, size: Ints) -> Ints:
@@ -219,10 +222,10 @@ def _inside(start: Ints, size: Ints) -> Ints:
 
 def _nearest(ys: Floats, target: Floats, start: Ints, size: Ints) -> Ints:
     """For each column the position whose y is nearest to its target; of two equally near the lower."""
-    members, begin = _inside(start, size), np.cumsum(size) - size
-    gap = np.abs(ys[members] - np.repeat(target, size))
-    least = np.repeat(np.minimum.reduceat(gap, begin), size)
-    return np.asarray(np.minimum.reduceat(np.where(gap == least, members, len(ys)), begin))
+    low = ys[_inside(start, size)] < np.repeat(target, size)
+    above = start + np.add.reduceat(low, np.cumsum(size) - size, dtype=np.intp)  # the first not below the target
+    upper, lower = np.minimum(above, start + size - 1), np.maximum(above - 1, start)
+    return np.where(np.abs(ys[lower] - target) <= np.abs(ys[upper] - target), lower, upper)
 
 
 def _chain_states(zero: Bools, one: Bools, follows: Bools) -> Bools:
@@ -237,7 +240,7 @@ def _chain_states(zero: Bools, one: Bools, follows: Bools) -> Bools:
     return np.asarray((zero[anchor] + flips - flips[anchor]) % 2 == 1)
 
 
-def _entries_first(n: int, start: Ints, size: Ints, entry: Ints) -> Ints:
+def _entries_first(n: int, start: Ints, entry: Ints) -> Ints:
     """Positions with each column's entry moved to its front, the rest in list order."""
     walked = np.arange(n)
     moved = entry != start
