@@ -19,7 +19,6 @@ from sketch2shape import homology
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.verify import Rings
 
-
 MOST_RUNGS = 3000
 """A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
 
