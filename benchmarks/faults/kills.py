@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import json
 import os
 import signal
 import subprocess
@@ -96,9 +97,19 @@ def _stray(mark: str) -> list[str]:
 
 
 def _truncated(out: Path, whole: dict[str, str]) -> list[str]:
-    """Outputs under their final names that are not what they should be."""
-    now = _snapshot(out)
-    return [f"{name} is not whole" for name, digest in now.items() if name in whole and digest != whole[name]]
+    """Outputs under their final names that are neither what they should be nor the whole report of a lost worker."""
+    differ = [name for name, digest in _snapshot(out).items() if name in whole and digest != whole[name]]
+    return [f"{name} is not whole" for name in differ if not _tells_of_a_failure(out / name)]
+
+
+def _tells_of_a_failure(path: Path) -> bool:
+    """Whether a file is complete JSON, or JSON lines, in which a failure is told."""
+    text = path.read_text()
+    try:
+        records = [json.loads(line) for line in text.splitlines()]
+    except ValueError:
+        return False
+    return text.endswith("\n") and any(r.get("status") == "failed" or r.get("exit_code") for r in records)
 
 
 def _snapshot(out: Path) -> dict[str, str]:
