@@ -164,10 +164,10 @@ def find(group: Group) -> Found | None:
     good_since = 99
     for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
         found = _round(group, skeleton, tolerant)
-        if found is not None and (best is None or _merit(found) - 0.01 * k > _merit(best)):
+        if found is not None and (best is None or _merit(found) - 0.004 * k > _merit(best)):
             best = found
         # an answer that is good but not perfect has to hold against those of the next round
-        if best is not None and (best.evidence.score >= PERFECT or k > good_since):
+        if best is not None and (best.evidence.score >= PERFECT or k > good_since + _is_busy(best)):
             break
         if best is not None and best.evidence.score >= GOOD - 0.01 * k:
             good_since = min(good_since, k)
@@ -202,6 +202,11 @@ def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
         if found is None or _merit(refined) > _merit(found):
             found = refined
     return found
+
+
+def _is_busy(found: Found) -> bool:
+    """Whether so many vertices were found on wavy lines that some may be bends of the hand."""
+    return found.noise > 0.5 and len(found.rings.vertices) > 2 * 12
 
 
 def _merit(found: Found) -> float:

@@ -205,12 +205,16 @@ def judge(rings: Rings, sheet: Sheet) -> Evidence:
     lines = _line_style(near, hidden, lengths)
     wanted = np.ones_like(hidden) if lines == "wire" else ~_grown(perhaps, lengths, 5 * sheet.reach)
     support, weakest = _support(near, wanted, lengths)
+    dashes = 1.0
     if lines == "dashed":
-        support = min(support, 0.6 * support + 0.4 * min(1.0, _support(near, hidden, lengths)[0] / 0.45))
+        behind, faintest = _support(near, hidden, lengths)
+        support = min(support, 0.6 * support + 0.4 * min(1.0, behind / 0.45))
+        # who dashes hidden edges dashes all of them
+        dashes = min(1.0, 0.7 + 0.3 * faintest / 0.25)
     shown = wanted if lines == "removed" else np.ones_like(wanted)
     explained = _explained(points, shown, sheet)
     score = 2 * support * explained / (support + explained + 1e-9)
-    score *= min(1.0, 0.5 + 0.5 * weakest / 0.75)
+    score *= min(1.0, 0.5 + 0.5 * weakest / 0.75) * dashes
     drawn = _drawn(near, rings, shown)
     if drawn.sum() < 2:
         # a face alone, with all that would make it an object hidden behind it
