@@ -24,6 +24,7 @@ from typing import Any
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # two worker processes, a core each
 
 from failure_sheets import write_sheets
+from PIL import Image
 from results_page import summary_table, write_page
 
 from sketch2shape.synthetic import metrics
@@ -92,6 +93,8 @@ def collect(name: str, args: argparse.Namespace, scratch: Path) -> list[Case]:
             truth = json.loads(file.read_text())
             truth.setdefault("category", file.parent.name)
             picture = next(p for p in sorted(file.parent.glob(f"{file.stem}.*")) if p.suffix != ".json")
+            with Image.open(picture) as opened:
+                truth |= dict(zip(("width", "height"), opened.size, strict=True))
             found.append(
                 {"set": name, "picture": str(picture), "id": f"{file.parent.name}/{file.stem}", "truth": truth}
             )
