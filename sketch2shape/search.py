@@ -11,21 +11,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 
 from sketch2shape import caps, separate
 from sketch2shape.corners import crossings, join_ends
-from sketch2shape.model import Floats, Ink
-from sketch2shape.refine import map_cost, refine
+from sketch2shape.model import Bools, Floats, Ink
+from sketch2shape.refine import map_cost, refine, split
 from sketch2shape.regions import enclosed_regions, without_edge
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.strokes import Skeleton, Strokes, coverage, thin, trace_strokes
 from sketch2shape.verify import Evidence, Rings, Sheet, is_dashed, judge, plausible, skeleton_sheet, worth_judging
 
-GOOD = 0.975
+GOOD = 0.98
 MOST_STEPS = 24000
 """Steps of the search for cycles in one round."""
 PERFECT = 0.995
+COARSEST = 0.1
+"""Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
 RULED = 3.0
 """Reach of a round, pixels, up to which lines count as ruled."""
 LEAST_CONFIDENCE = 0.7
@@ -35,6 +38,8 @@ LEAST_COMPANION = 0.3
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
 SHORTLIST = 5
+UNSEEN_BEND = 0.03
+"""Score that a wavy drawing may lose with a flat vertex of which only a bend in the front's outline tells."""
 FLAT = 0.35
 """A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
 MOST_HYPOTHESES = 160
@@ -160,9 +165,12 @@ def find(group: Group) -> Found | None:
     if len(skeleton.points) < 30:
         return None
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
+    narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
     best: Found | None = None
     good_since = 99
     for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
+        if k and tolerant.reach > COARSEST * narrow:
+            break
         found = _round(group, skeleton, tolerant)
         if found is not None and (best is None or _merit(found) - 0.004 * k > _merit(best)):
             best = found
@@ -195,13 +203,47 @@ def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
         if tolerant.loose and (not best or best[0][1].score < GOOD):
             best = _shortlist(caps.loose_caps(graph, regions, pen), sheet, best)
     found: Found | None = None
+    dashes = _dash_ends(group, skeleton, tolerant)
     for rings, evidence in best:
         if found is not None and evidence.score < found.evidence.score - HOPELESS:
             break
+        rings, evidence = _at_dashes(rings, evidence, sheet, dashes)
         refined = _refined(skeleton, rings, evidence, sheet)
         if found is None or _merit(refined) > _merit(found):
             found = refined
     return found
+
+
+def _dash_ends(group: Group, skeleton: Skeleton, tolerant: Round) -> Floats:
+    """(k, 2) float, pixels: where strokes of small pieces of ink, such as dashes, end or meet."""
+    at = skeleton.points.astype(np.intp)
+    if group.solid[at[:, 1], at[:, 0]].all():
+        return np.zeros((0, 2))
+    strokes = trace_strokes(skeleton, tolerant.trace, group.ink.mask & ~group.solid)
+    long = strokes.lengths > 4 * skeleton.pen_width
+    some = replace(strokes, ends=strokes.ends[long][:60], inked=strokes.inked[long][:60])
+    return join_ends(some, skeleton.pen_width).points
+
+
+def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, dashes: Floats) -> tuple[Rings, Evidence]:
+    """Hidden vertices moved to where dashed lines meet, where that explains the drawing better."""
+    if evidence.lines == "wire" or not len(dashes) or evidence.score < 0.6:
+        return rings, evidence
+    m = len(evidence.drawn)
+    for i in np.flatnonzero(~evidence.drawn)[:8]:
+        vertices = rings.vertices
+        off = np.linalg.norm(dashes - vertices[m + i], axis=1)
+        for k in np.argsort(off)[:5]:
+            if off[k] > 0.12 * sheet.size:
+                break
+            moved = vertices.copy()
+            moved[m + i] = dashes[k]
+            other = split(moved, [len(r) for r in rings.front])
+            judged = judge(other, sheet) if plausible(other, 0.0) else evidence
+            more = judged.explained > evidence.explained + 0.003
+            if more and judged.lines == "dashed" and judged.score > evidence.score - 0.01:
+                rings, evidence = other, judged
+    return rings, evidence
 
 
 def _is_busy(found: Found) -> bool:
@@ -267,30 +309,37 @@ def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float) -> 
         n = sum(len(r) for r in rings.front)
         # what dropping a true vertex costs goes with its share of the edges
         slack = min(0.15 / n, 0.002 + 0.03 * max(0.0, noise - 0.3)) + thick
-        for fewer in _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5)):
+        seen = evidence.drawn if noise > 0.5 else np.ones(n, bool)
+        for fewer, hidden in _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5), seen):
             if plausible(fewer, 0.0):
                 judged = judge(fewer, sheet)
-                if judged.score >= best - slack:
+                if judged.score >= best - slack - hidden * UNSEEN_BEND:
                     rings, evidence, best = fewer, judged, max(best, judged.score)
                     break
         else:
             return rings, evidence
 
 
-def _simpler(rings: Rings, short: float) -> Iterator[Rings]:
-    """The rings with a flat vertex dropped, or with an edge that is short in both faces drawn together to a tip."""
+def _simpler(rings: Rings, short: float, drawn: Bools) -> Iterator[tuple[Rings, bool]]:
+    """The rings with a flat vertex dropped, or with an edge that is short in both faces drawn together to a tip.
+
+    Also says whether what goes is a flat vertex whose partner behind nobody sees.
+    """
+    start = 0
     for k, (front, back) in enumerate(zip(rings.front, rings.back, strict=True)):
         n = len(front)
+        seen = drawn[start : start + n]
+        start += n
         if n <= 3:
             continue
         turns = [_turn(front, i) + _turn(back, i) for i in range(n)]
         for i in np.argsort(turns)[: sum(t < 2 * FLAT for t in turns)]:
-            yield _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0))
+            yield _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0)), not seen[i]
         for i in range(n):
             j = (i + 1) % n
             if np.linalg.norm(front[i] - front[j]) < short and np.linalg.norm(back[i] - back[j]) < short:
                 tips = without_edge(front, i), without_edge(back, i)
-                yield _replaced(rings, k, *tips)
+                yield _replaced(rings, k, *tips), False
 
 
 def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:

@@ -210,7 +210,7 @@ def judge(rings: Rings, sheet: Sheet) -> Evidence:
         behind, faintest = _support(near, hidden, lengths)
         support = min(support, 0.6 * support + 0.4 * min(1.0, behind / 0.45))
         # who dashes hidden edges dashes all of them
-        dashes = min(1.0, 0.7 + 0.3 * faintest / 0.25)
+        dashes = min(1.0, 0.85 + 0.15 * faintest / 0.25)
     shown = wanted if lines == "removed" else np.ones_like(wanted)
     explained = _explained(points, shown, sheet)
     score = 2 * support * explained / (support + explained + 1e-9)
