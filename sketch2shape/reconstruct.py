@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sketch2shape.confidence import REFUSE_BELOW, calibrated
 from sketch2shape.errors import NoObjectError
 from sketch2shape.model import Ink, TwoFaceObject
 from sketch2shape.ordering import check_connector, connector_of
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
     from sketch2shape.corrections import Corrections
     from sketch2shape.lift import LiftOptions
     from sketch2shape.limits import Limits
-
-REFUSE_BELOW = 0.5
-"""Confidence below which an answer is no answer."""
 
 
 def reconstruct(
@@ -99,12 +97,13 @@ def _as_object(found: Found, ink: Ink, connector: str, detector: str) -> TwoFace
 
 
 def _confidence(found: Found, ink: Ink, detector: str) -> float:
-    """How well the object explains the ink, less if the corner detectors do not see its vertices."""
-    if detector == "auto" and found.confidence >= SURE:
-        return found.confidence
-    back = np.concatenate(found.rings.back)[found.evidence.drawn]
-    drawn = np.concatenate([*found.rings.front, back])
-    return found.confidence * vouched(ink, drawn, "both" if detector == "auto" else detector, found.noise)
+    """How sure the object is: how well it explains the ink, less if the corner detectors do not see its vertices."""
+    score = found.evidence.score
+    if detector != "auto" or score < SURE:
+        back = np.concatenate(found.rings.back)[found.evidence.drawn]
+        drawn = np.concatenate([*found.rings.front, back])
+        score *= vouched(ink, drawn, "both" if detector == "auto" else detector, found.noise)
+    return calibrated(score)
 
 
 def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink) -> str:

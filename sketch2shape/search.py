@@ -31,7 +31,7 @@ COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
 RULED = 3.0
 """Reach of a round, pixels, up to which lines count as ruled."""
-LEAST_CONFIDENCE = 0.7
+LEAST_SCORE = 0.7
 """Below this a group of ink beside an object is not taken for a second one."""
 LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
@@ -44,6 +44,10 @@ FLAT = 0.35
 """A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
 MOST_HYPOTHESES = 160
 MOST_CORNERS = 120
+DENSE = 150
+"""Strokes beyond which ink that the first round cannot explain at all is a scribble."""
+MOST_PATHS = 2500
+"""Branches of the skeleton beyond which the ink is a texture or a page of text, not a drawing."""
 
 
 @dataclass(frozen=True)
@@ -65,11 +69,6 @@ class Found:
     def size(self) -> float:
         """Diagonal of the object's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
-
-    @property
-    def confidence(self) -> float:
-        """0..1, how sure one can be that this is the object."""
-        return float(np.clip(self.evidence.score, 0.0, 1.0))
 
 
 @dataclass(frozen=True)
@@ -149,20 +148,20 @@ def find_all(ink: Ink) -> list[Found]:
         if found and group.size < LEAST_COMPANION * found[0].size:
             break
         best = find(group)
-        if best is not None and (best.confidence >= LEAST_CONFIDENCE or not found):
+        if best is not None and (best.evidence.score >= LEAST_SCORE or not found):
             shift = group.offset
             rings = Rings(tuple(r + shift for r in best.rings.front), tuple(r + shift for r in best.rings.back))
             found.append(replace(best, rings=rings))
-            found.sort(key=lambda f: -(f.confidence >= LEAST_CONFIDENCE) * f.size)
+            found.sort(key=lambda f: -(f.evidence.score >= LEAST_SCORE) * f.size)
     if len(found) > 1:
-        found = [f for f in found if f.confidence >= LEAST_CONFIDENCE] or found[:1]
+        found = [f for f in found if f.evidence.score >= LEAST_SCORE] or found[:1]
     return found
 
 
 def find(group: Group) -> Found | None:
     """The best hypothesis for the ink of one object, or None."""
     skeleton = thin(group.ink)
-    if len(skeleton.points) < 30:
+    if len(skeleton.points) < 30 or len(skeleton.paths) > MOST_PATHS:
         return None
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
@@ -176,6 +175,8 @@ def find(group: Group) -> Found | None:
             best = found
         # an answer that is good but not perfect has to hold against those of the next round
         if best is not None and (best.evidence.score >= PERFECT or k > good_since + _is_busy(best)):
+            break
+        if (best is None or best.evidence.score < 0.5) and len(trace_strokes(skeleton, tolerant.trace).ends) > DENSE:
             break
         if best is not None and best.evidence.score >= GOOD - 0.01 * k:
             good_since = min(good_since, k)

@@ -19,6 +19,9 @@ from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ink
 
+MOST_PIECES = 700
+"""Pieces of lines that are looked at, the longest: a drawing has far fewer, a scribble or a texture any number."""
+
 
 @dataclass(frozen=True)
 class Skeleton:
@@ -206,6 +209,7 @@ def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = No
     """
     pen = skeleton.pen_width
     lines = [_straighten(p, pen) for p in _pieces(skeleton, tolerance, where) if len(p) >= 2]
+    lines = sorted(lines, key=lambda line: -line.inked)[:MOST_PIECES]
     bridge = 2.5 * pen + 2 * tolerance + 2
     lines = _merge(lines, tolerance, bridge) if lines else []
     lines.sort(key=lambda line: -float(np.linalg.norm(line.ends[1] - line.ends[0])))
