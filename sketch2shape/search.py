@@ -284,7 +284,7 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
     if not plausible(moved, 0.0) or judge(moved, sheet).score < evidence.score - 0.01:
         moved = rings
     strict = replace(sheet, reach=min(sheet.reach, max(2.0, 3.0 * noise + 0.1 * sheet.pen + 1.0)))
-    simpler, judged = simplified(moved, judge(moved, strict), strict, noise)
+    simpler, judged = simplified(moved, judge(moved, strict), strict, noise, skeleton.points)
     if len(simpler.vertices) < len(moved.vertices):
         again, noise = refine(simpler, skeleton.points, sheet.reach, judged.drawn)
         if plausible(again, 0.0):
@@ -299,10 +299,11 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
     return Found(simpler, judged, sheet.reach, noise)
 
 
-def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float) -> tuple[Rings, Evidence]:
+def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float, points: Floats) -> tuple[Rings, Evidence]:
     """Without the vertices that the drawing does not need: of two answers that explain it, the simpler one holds.
 
-    noise : rms distance between lines and ink, pixels; a steady hand means every bend it makes
+    noise  : rms distance between lines and ink, pixels; a steady hand means every bend it makes
+    points : (k, 2) float, skeleton pixels
     """
     best = evidence.score
     thick = max(0.0, sheet.pen / sheet.size - 0.01)
@@ -314,7 +315,12 @@ def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float) -> 
         for fewer, hidden in _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5), seen):
             if plausible(fewer, 0.0):
                 judged = judge(fewer, sheet)
-                if judged.score >= best - slack - hidden * UNSEEN_BEND:
+                limit = best - slack - hidden * UNSEEN_BEND
+                if noise > 0.5 and limit - 0.3 < judged.score < limit:
+                    # one stroke in place of two lies between them
+                    moved, _ = refine(fewer, points, 3 * sheet.reach, judged.drawn)
+                    fewer, judged = moved, judge(moved, sheet) if plausible(moved, 0.0) else judged
+                if judged.score >= limit:
                     rings, evidence, best = fewer, judged, max(best, judged.score)
                     break
         else:

@@ -21,6 +21,8 @@ from sketch2shape.strokes import coverage
 
 SAMPLES = 32
 WAY_BACK = 20
+SHORTEST_RUNG = 0.1
+"""Least length of a connecting edge, as a part of the longest: shorter ones make a side of a pyramid's corner."""
 SMALLEST_FACE = 0.03
 """Least area of the smaller face, as a part of the larger one."""
 
@@ -95,7 +97,8 @@ def plausible(rings: Rings, least: float) -> bool:
         ratio = abs(_area(back)) / max(abs(_area(front)), 1e-9)
         if not SMALLEST_FACE <= ratio <= 1 / SMALLEST_FACE or _area(front) * _area(back) <= 0:
             return False
-        if np.linalg.norm(back - front, axis=1).min() < least:
+        rungs = np.linalg.norm(back - front, axis=1)
+        if rungs.min() < max(least, SHORTEST_RUNG * rungs.max()):
             return False
         for ring in (front, back):
             if np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1).min() < least or not _is_simple(ring):

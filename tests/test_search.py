@@ -40,7 +40,7 @@ def found_in(picture):
 def test_wireframes(f1, f2):
     found = found_in(prism(f1, f2))
     assert len(found) == 1
-    assert found[0].evidence.score > 0.95
+    assert found[0].confidence > 0.95
     assert found[0].lines == "wire"
     assert same_object(found[0], f1, f2)
 
@@ -54,7 +54,7 @@ def test_wireframes(f1, f2):
 def test_hidden_edges_dashed_or_left_out(f1, f2, lines):
     found = found_in(prism(f1, f2, lines))
     assert len(found) == 1
-    assert found[0].evidence.score > 0.9
+    assert found[0].confidence > 0.9
     assert same_object(found[0], f1, f2, 3.0)
     if lines == "removed":
         assert not found[0].f2_drawn.all()
@@ -116,4 +116,4 @@ def test_the_pen_and_the_size_of_the_drawing_do_not_matter():
     ids=["blank", "a lone polygon", "two unrelated polygons"],
 )
 def test_what_is_no_object_gets_no_confidence(picture):
-    assert all(o.evidence.score < 0.65 for o in found_in(picture))
+    assert all(o.confidence < 0.5 for o in found_in(picture))
