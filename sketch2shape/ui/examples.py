@@ -22,7 +22,7 @@ EXAMPLES: dict[str, Example] = {
     "perspective": Example("In perspective", "clean_wire_persp", 8),
     "hole": Example("With a hole", "holes_dashed", 3),
     "hand": Example("Drawn by hand", "hand_wire", 2),
-    "pencil": Example("Pencil, hidden edges left out", "pencil_removed", 6),
+    "pencil": Example("Pencil, hidden edges left out", "pencil_removed", 3),
     "photo": Example("Photo of a page", "photo_wire", 8),
     "blackboard": Example("On a blackboard", "blackboard_wire", 6),
 }
