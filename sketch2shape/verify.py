@@ -145,9 +145,9 @@ def worth_judging(rings: Rings, sheet: Sheet) -> bool:
     b = np.concatenate([front[after], back, back[after]])
     share = coverage(sheet.distance, a, b, sheet.reach, 16).reshape(3, -1)
     length = np.linalg.norm(front[after] - front, axis=1)
-    if share[0] @ length < 0.7 * length.sum():
+    if share[0] @ length < 0.6 * length.sum():
         return False
-    return bool((share[1] > 0.55).sum() >= 2 and (share[2] > 0.55).any())
+    return bool((share[1] > 0.35).sum() >= 2 and (share[2] > 0.35).any())
 
 
 def _spans(rings: Rings) -> list[tuple[int, int]]:
