@@ -8,7 +8,6 @@ line to the front face crosses the front face's interior.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -321,10 +320,3 @@ def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Float
     """A sheet with at most about 1500 of the skeleton's points, evenly thinned out."""
     step = max(1, len(points) // 1500)
     return Sheet(distance, points[::step], weights[::step], reach, pen)
-
-
-def best_way_round(candidates: Sequence[Rings], sheet: Sheet) -> tuple[Rings, Evidence]:
-    """The best of several hypotheses and its evidence."""
-    judged = [(judge(r, sheet), r) for r in candidates]
-    evidence, rings = max(judged, key=lambda pair: pair[0].score)
-    return rings, evidence
