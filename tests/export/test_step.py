@@ -1,4 +1,4 @@
-"""STEP files read back by Open CASCADE, where it is installed (pip install cadquery-ocp)."""
+"""STEP files read back by Open CASCADE, where it is installed (pip install sketch2shape[readback])."""
 
 import re
 
@@ -21,7 +21,7 @@ def prism(rings, depth=20.0, scale=1.0, unit="mm"):
 
 def read_back(data, tmp_path):
     """Solids in a STEP file: (valid, volume, number of faces) of each."""
-    pytest.importorskip("OCP", reason="Open CASCADE (cadquery-ocp) reads STEP back and is not installed")
+    pytest.importorskip("OCP", reason="Open CASCADE (cadquery-ocp-novtk) reads STEP back and is not installed")
     from OCP.BRepCheck import BRepCheck_Analyzer
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
