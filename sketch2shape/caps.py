@@ -17,8 +17,8 @@ import numpy as np
 from sketch2shape import homology
 from sketch2shape.model import Floats, Ints
 from sketch2shape.regions import Region, reductions, sharpened
+from sketch2shape.rings import Rings
 from sketch2shape.separate import CornerGraph
-from sketch2shape.verify import Rings
 
 
 def snap(outline: Floats, graph: CornerGraph, reach: float) -> tuple[Ints, Floats]:

@@ -20,11 +20,13 @@ from sketch2shape.lift import choose_front
 from sketch2shape.model import Floats, TwoFaceObject
 from sketch2shape.placing import as_object, to_working
 from sketch2shape.regions import enclosed_regions
+from sketch2shape.rings import Rings
 from sketch2shape.sheet import Group, split_groups
+from sketch2shape.shortlist import MOST_HYPOTHESES, verified
 from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.strokes import trace_strokes as trace_skeleton
 from sketch2shape.tracing import ink_of
-from sketch2shape.verify import Evidence, Rings, judge, plausible, worth_judging
+from sketch2shape.verify import Evidence
 
 LEAST = 0.5
 """A hypothesis that explains less than this is none."""
@@ -50,7 +52,7 @@ def separate_faces(source: Any, *, corners: ArrayLike | None = None, most: int =
     for group in split_groups(ink):
         own = known if known is None else known - group.offset
         found += [
-            as_object(_shifted(rings, group.offset), evidence, ink)
+            as_object(rings.shifted(group.offset), evidence, ink)
             for rings, evidence in _verified(group, own)
             if evidence.score >= LEAST
         ]
@@ -68,12 +70,9 @@ def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evi
         return
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     for tolerant in search.rounds_for(size, group.ink.pen_width):
-        sheet = search._sheet(group, skeleton, tolerant.reach)
+        sheet = search.sheet_for(group, skeleton, tolerant.reach)
         best = 0.0
-        for rings in _hypotheses(group, skeleton, tolerant, corners):
-            if not plausible(rings, 1.5 * sheet.pen) or not worth_judging(rings, sheet):
-                continue
-            evidence = judge(rings, sheet)
+        for rings, evidence in verified(_hypotheses(group, skeleton, tolerant, corners), sheet):
             best = max(best, evidence.score)
             yield rings, evidence
         if best >= search.GOOD:
@@ -88,11 +87,7 @@ def _hypotheses(group: Group, skeleton: Skeleton, tolerant: search.Round, corner
     graph = search.corner_graph(skeleton, points, tolerant.reach)
     regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
     both: Iterable[Iterator[Rings]] = (search.wire_hypotheses(graph), caps(graph, regions, pen))
-    return chain.from_iterable(islice(one, search.MOST_HYPOTHESES) for one in both)
-
-
-def _shifted(rings: Rings, by: Floats) -> Rings:
-    return Rings(tuple(r + by for r in rings.front), tuple(r + by for r in rings.back))
+    return chain.from_iterable(islice(one, MOST_HYPOTHESES) for one in both)
 
 
 def _alike(a: TwoFaceObject, b: TwoFaceObject) -> bool:

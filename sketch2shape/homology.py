@@ -16,7 +16,7 @@ from sketch2shape.model import Floats
 
 def apply(maps: Floats, points: Floats) -> Floats:
     """Points (k, 2) under maps (..., 3, 3): (..., k, 2). Points sent to infinity come back as inf."""
-    q = np.c_[points, np.ones(len(points))] @ np.swapaxes(maps, -1, -2)
+    q = points @ np.swapaxes(maps[..., :2], -1, -2) + maps[..., None, :, 2]
     w = q[..., 2:]
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(w > 1e-9, q[..., :2] / w, np.inf)
@@ -32,9 +32,10 @@ def translation(d: Floats) -> Floats:
 
 def similarity(src: Floats, dst: Floats) -> Floats:
     """Best x -> s x + t with s > 0 (no rotation), (..., 3, 3), for corresponding points (..., k, 2)."""
-    a, b = src - src.mean(axis=-2, keepdims=True), dst - dst.mean(axis=-2, keepdims=True)
+    p, q = src.mean(axis=-2), dst.mean(axis=-2)
+    a, b = src - p[..., None, :], dst - q[..., None, :]
     s = np.maximum((a * b).sum(axis=(-2, -1)) / ((a * a).sum(axis=(-2, -1)) + 1e-12), 1e-3)
-    maps = translation(dst.mean(axis=-2) - s[..., None] * src.mean(axis=-2))
+    maps = translation(q - s[..., None] * p)
     maps[..., 0, 0] = maps[..., 1, 1] = s
     return maps
 
@@ -44,23 +45,29 @@ def homology(src: Floats, dst: Floats) -> Floats:
 
     The centre is the point nearest to all connecting lines, the axis follows by least squares.
     """
-    shift = src.mean(axis=-2, keepdims=True)
-    size = np.maximum(np.abs(src - shift).max(axis=(-2, -1), keepdims=True), 1e-9)
-    p, q = _homogeneous((src - shift) / size), _homogeneous((dst - shift) / size)
-    lines = np.cross(p, q)
-    _, _, vt = np.linalg.svd(lines)
-    v = vt[..., -1, :][..., None, :]
-    qv = np.cross(q, v)
-    amount = -(np.cross(q, p) * qv).sum(axis=-1) / ((qv * qv).sum(axis=-1) + 1e-12)
-    axis = (np.linalg.pinv(p) @ amount[..., None])[..., 0]
-    core = np.eye(3) + np.swapaxes(v, -1, -2) * axis[..., None, :]
-    norm = translation(-shift[..., 0, :])
-    norm[..., :2, :] /= size
-    back = translation(shift[..., 0, :])
-    back[..., 0, 0] = back[..., 1, 1] = size[..., 0, 0]
-    maps: Floats = back @ core @ norm
+    shift = src.mean(axis=-2)
+    size = np.maximum(np.abs(src - shift[..., None, :]).max(axis=(-2, -1)), 1e-9)[..., None, None]
+    p, q = (src - shift[..., None, :]) / size, (dst - shift[..., None, :]) / size
+    lines = _cross(p, q)
+    # eigenvectors come in the order of their eigenvalues, the smallest first
+    v = np.linalg.eigh(np.swapaxes(lines, -1, -2) @ lines)[1][..., 0]
+    qv, qp = _cross(q, v[..., None, :2], v[..., None, 2:]), _cross(q, p)
+    amount = -(qp * qv).sum(axis=-1) / ((qv * qv).sum(axis=-1) + 1e-12)
+    at = np.concatenate([p, np.ones((*p.shape[:-1], 1))], axis=-1)
+    turned = np.swapaxes(at, -1, -2)
+    axis = np.linalg.solve(turned @ at + 1e-12 * np.eye(3), turned @ amount[..., None])[..., 0]
+    core = np.eye(3) + v[..., :, None] * axis[..., None, :]
+    # back from points about the shift, in units of the size
+    maps: Floats = core.copy()
+    maps[..., :2, 2:] *= size
+    maps[..., 2:, :2] /= size
+    maps[..., :, 2] -= (maps[..., :2] @ shift[..., None])[..., 0]
+    maps[..., :2, :] += shift[..., None] * maps[..., 2:, :]
     return maps
 
 
-def _homogeneous(points: Floats) -> Floats:
-    return np.concatenate([points, np.ones((*points.shape[:-1], 1))], axis=-1)
+def _cross(p: Floats, q: Floats, last: Floats | float = 1.0) -> Floats:
+    """Cross product of the homogeneous points (p, 1) and (q, last)."""
+    px, py, qx, qy = p[..., 0], p[..., 1], q[..., 0], q[..., 1]
+    w = last if isinstance(last, float) else last[..., 0]
+    return np.stack([py * w - qy, qx - px * w, px * qy - py * qx], axis=-1)

@@ -111,9 +111,9 @@ def ring_edges(sizes: list[int]) -> Ints:
     """(3m, 2) edges of a two-face object with rings of these sizes (sum m); order as in `TwoFaceObject.edges`."""
     half, start, blocks = sum(sizes), 0, []
     for n in sizes:
-        a = start + np.arange(n)
-        b = start + np.roll(np.arange(n), -1)
-        blocks += [np.c_[a, b], np.c_[a + half, b + half], np.c_[a, a + half]]
+        a = np.arange(start, start + n)
+        b = np.append(a[1:], start)
+        blocks += [np.stack([a, b], axis=1), np.stack([a, b], axis=1) + half, np.stack([a, a + half], axis=1)]
         start += n
     return np.concatenate(blocks).astype(np.intp)
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject
-from sketch2shape.verify import Evidence, Rings
+from sketch2shape.rings import Rings
+from sketch2shape.verify import Evidence
 
 
 def to_picture(points: Floats, scale: float) -> Floats:

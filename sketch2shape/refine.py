@@ -7,18 +7,22 @@ linear in the vertices once the map is linearised about the present ones, so a f
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from sketch2shape import homology
-from sketch2shape.model import Bools, Floats, Ints, ring_edges
-from sketch2shape.strokes import fit_line
-from sketch2shape.verify import Rings
+from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.rings import Rings, frame, split
+from sketch2shape.strokes import project, thinned
 
 STEPS = 3
+MOST_POINTS = 1500
 MAP_STEP = 0.02
 """Misfit, as a part of the object's size, that justifies the next richer kind of plane map."""
+HOLD = 0.03
+"""Weight that holds every vertex to where it started, so that the equations are always well posed."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,11 @@ class EdgeLines:
     weight: Floats
     spread: Floats
 
+    @property
+    def noise(self) -> float:
+        """Rms distance of all edges' pixels from their lines, pixels; 0 without lines."""
+        return float(np.sqrt((self.spread**2).mean())) if len(self.spread) else 0.0
+
 
 def refine(rings: Rings, points: Floats, reach: float, drawn: Bools, stiffness: float = 0.5) -> tuple[Rings, float]:
     """Rings moved to the ink, and the rms distance between model and ink in pixels.
@@ -47,28 +56,20 @@ def refine(rings: Rings, points: Floats, reach: float, drawn: Bools, stiffness: 
     drawn     : (m,) bool, back vertices that ink shows; the others follow from the plane map alone
     stiffness : weight of the plane map against the ink
     """
-    sizes = [len(r) for r in rings.front]
-    edges = ring_edges(sizes)
+    edges = frame(rings.sizes).edges
     start = v = rings.vertices
-    points = points[:: max(1, len(points) // 1500)]
-    lines = None
+    points = points[thinned(len(points), MOST_POINTS)]
+    noise = 0.0
     for step in range(STEPS):
         lines = _measure(v, edges, points, reach if step == 0 else 0.7 * reach)
+        noise = lines.noise
         moved = _solve(v, start, edges, lines, drawn, stiffness)
         # a seen vertex that runs away has lost its lines: keep it where verification found it
         far = np.linalg.norm(moved - start, axis=1) > 3 * reach + 4
         far[len(drawn) :] &= drawn
         moved[far] = start[far]
         v = moved
-    spread = lines.spread if lines is not None and len(lines.spread) else np.zeros(1)
-    return split(v, sizes), float(np.sqrt((spread**2).mean()))
-
-
-def split(vertices: Floats, sizes: list[int]) -> Rings:
-    """Vertices (2m, 2) in the order of the contract back into rings."""
-    cuts = np.cumsum(sizes + sizes)[:-1]
-    parts = np.split(vertices, cuts)
-    return Rings(tuple(parts[: len(sizes)]), tuple(parts[len(sizes) :]))
+    return split(v, rings.sizes), noise
 
 
 def _measure(v: Floats, edges: Ints, points: Floats, reach: float) -> EdgeLines:
@@ -76,64 +77,78 @@ def _measure(v: Floats, edges: Ints, points: Floats, reach: float) -> EdgeLines:
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     length = np.linalg.norm(span, axis=1) + 1e-9
     u = span / length[:, None]
-    q = points[:, None] - a[None]
-    along = (q * u).sum(axis=2)
-    across = np.abs(q[..., 0] * u[:, 1] - q[..., 1] * u[:, 0])
+    along, across = project(points, a, u)
     end = np.minimum(1.5 * reach, 0.2 * length)
     inside = (along > end) & (along < length - end) & (across <= reach)
-    across = np.where(inside, across, np.inf)
-    nearest = across.argmin(axis=1)
+    # ink that two nearly parallel edges could claim tells nothing about either; at a crossing it does no harm
+    shared = np.flatnonzero(inside.sum(axis=1) > 1)
+    if len(shared):
+        nearest = np.where(inside[shared], across[shared], np.inf).argmin(axis=1)
+        inside[shared] = False
+        inside[shared, nearest] = True
+    count = inside.sum(axis=0)
     # skeleton pixels per pixel of length, as the points may have been thinned out
     density = min(1.0, 1.5 * len(points) / float(length.sum()))
-    # ink that two nearly parallel edges could claim tells nothing about either; at a crossing it does no harm
-    claims = inside.sum(axis=1)
-    found = []
-    for e in range(len(edges)):
-        mine = inside[:, e] & ((claims == 1) | (nearest == e))
-        if mine.sum() < max(4.0, 0.2 * length[e] * density):
-            continue
-        own = points[mine]
-        centre, direction = fit_line(own)
-        if abs(direction @ u[e]) < 0.9:
-            continue
-        normal = np.array([-direction[1], direction[0]])
-        spread = float(np.sqrt((((own - centre) @ normal) ** 2).mean()))
-        found.append((e, normal, float(normal @ centre), min(1.0, len(own) / 20), spread))
-    if not found:
-        none = np.zeros(0)
-        return EdgeLines(np.zeros(0, np.intp), np.zeros((0, 2)), none, none, none)
-    e, n, c, w, s = zip(*found, strict=True)
-    return EdgeLines(np.array(e), np.array(n), np.array(c), np.array(w), np.array(s))
+    rich = np.flatnonzero(count >= np.maximum(4.0, 0.2 * length * density))
+    centre, direction, spread = _lines_through(points, inside[:, rich])
+    ok = np.abs((direction * u[rich]).sum(axis=1)) >= 0.9
+    e = rich[ok]
+    normal = np.stack([-direction[ok, 1], direction[ok, 0]], axis=1)
+    offset = (normal * centre[ok]).sum(axis=1)
+    return EdgeLines(e, normal, offset, np.minimum(1.0, count[e] / 20), spread[ok])
+
+
+def _lines_through(points: Floats, members: Bools) -> tuple[Floats, Floats, Floats]:
+    """Total-least-squares line of each column's points: centre (m, 2), direction (m, 2), rms distance (m,)."""
+    if not members.shape[1]:
+        return np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0)
+    origin = points.mean(axis=0)
+    x, y = (points - origin).T
+    sums = np.stack([np.ones(len(x)), x, y, x * x, y * y, x * y]) @ members.astype(float)
+    mean = sums[1:] / sums[0]
+    xx, yy, xy = mean[2] - mean[0] ** 2, mean[3] - mean[1] ** 2, mean[4] - mean[0] * mean[1]
+    angle = 0.5 * np.arctan2(2 * xy, xx - yy)
+    c, s = np.cos(angle), np.sin(angle)
+    off = s * s * xx + c * c * yy - 2 * s * c * xy
+    return mean[:2].T + origin, np.stack([c, s], axis=1), np.sqrt(np.maximum(off, 0.0))
 
 
 def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools, stiffness: float) -> Floats:
     """One linear least-squares step for all vertices."""
-    m = len(v) // 2
-    rows, right = [], []
-    for e, normal, offset, weight in zip(lines.edge, lines.normal, lines.offset, lines.weight, strict=True):
-        for k in edges[e]:
-            row = np.zeros(4 * m)
-            row[2 * k : 2 * k + 2] = weight * normal
-            rows.append(row)
-            right.append(weight * offset)
-    # a clean drawing tells a similarity from a homology; a rough one does not
-    limit = 1.0 + 2.0 * float(np.sqrt((lines.spread**2).mean())) if len(lines.spread) else None
+    m, k = len(v) // 2, len(lines.edge)
+    # both ends of an edge lie on its line
+    a = np.zeros((2 * k + 2 * m, 4 * m))
+    ends = edges[lines.edge].T.reshape(-1)
+    own = np.tile(lines.normal * lines.weight[:, None], (2, 1))
+    rows = np.arange(2 * k)
+    a[rows, 2 * ends], a[rows, 2 * ends + 1] = own[:, 0], own[:, 1]
+    b = np.empty(2 * k + 2 * m)
+    b[: 2 * k] = np.tile(lines.weight * lines.offset, 2)
+    # the back is the front under the map; a clean drawing tells a similarity from a homology, a rough one does not
+    limit = 1.0 + 2.0 * lines.noise if k else None
     h = plane_map(v[:m], v[m:], drawn, limit)
     image, slope = homology.apply(h, v[:m]), _jacobian(h, v[:m])
-    for i in range(m):
-        for axis in range(2):
-            row = np.zeros(4 * m)
-            row[2 * (m + i) + axis] = stiffness
-            row[2 * i : 2 * i + 2] = -stiffness * slope[i, axis]
-            rows.append(row)
-            right.append(stiffness * (image[i, axis] - slope[i, axis] @ v[i]))
-    # held lightly to where it started, so that the normal equations are always well posed
-    hold = 0.03
-    a, b = np.array(rows), np.array(right)
-    normal = a.T @ a + hold**2 * np.eye(4 * m)
-    free = np.linalg.solve(normal, a.T @ b + hold**2 * start.ravel()).reshape(-1, 2)
-    free[m:][~drawn] = homology.apply(plane_map(free[:m], free[m:], drawn, limit), free[:m])[~drawn]
+    tied = 2 * k + np.arange(2 * m)
+    vertex = np.repeat(np.arange(m), 2)
+    a[tied, 2 * m + np.arange(2 * m)] = stiffness
+    a[tied, 2 * vertex], a[tied, 2 * vertex + 1] = (-stiffness * slope.reshape(-1, 2)).T
+    b[2 * k :] = (stiffness * (image - (slope * v[:m, None]).sum(axis=2))).ravel()
+    normal = a.T @ a
+    normal[np.diag_indices(4 * m)] += HOLD**2
+    free = np.asarray(np.linalg.solve(normal, a.T @ b + HOLD**2 * start.ravel()), float).reshape(-1, 2)
+    if not drawn.all():
+        free[m:][~drawn] = homology.apply(plane_map(free[:m], free[m:], drawn, limit), free[:m])[~drawn]
     return np.where(np.isfinite(free), free, v)
+
+
+def _fits(src: Floats, dst: Floats) -> Iterator[tuple[Floats, float]]:
+    """Ever richer plane maps from points to points, each with its rms misfit in pixels."""
+    fits = (lambda p, q: homology.translation((q - p).mean(axis=0)), homology.similarity, homology.homology)
+    for least, fit in enumerate(fits, start=1):
+        if len(src) >= least:
+            h = fit(src, dst)
+            off = homology.apply(h, src) - dst
+            yield h, float(np.sqrt((off * off).sum() / len(off)))
 
 
 def plane_map(front: Floats, back: Floats, drawn: Bools, tolerance: float | None = None) -> Floats:
@@ -142,32 +157,29 @@ def plane_map(front: Floats, back: Floats, drawn: Bools, tolerance: float | None
     A richer kind of map must earn its place: it has to fit clearly better than the simpler one.
     """
     seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
-    src, dst = front[seen], back[seen]
     size = float(np.linalg.norm(np.ptp(np.concatenate([front, back]), axis=0)))
     limit = 0.006 * size + 1.0 if tolerance is None else tolerance
-    fits = [homology.translation((dst - src).mean(axis=0))]
-    if len(src) >= 2:
-        fits.append(homology.similarity(src, dst))
-    if len(src) >= 3:
-        fits.append(homology.homology(src, dst))
-    misfit = [float(np.sqrt((np.linalg.norm(homology.apply(f, src) - dst, axis=1) ** 2).mean())) for f in fits]
-    for fit, off in zip(fits, misfit, strict=True):
-        if off <= limit and np.isfinite(homology.apply(fit, front)).all():
-            return fit
-    usable = [k for k, f in enumerate(fits) if np.isfinite(homology.apply(f, front)).all()]
-    return fits[min(usable, key=lambda k: misfit[k])]
+    best, least = np.eye(3), np.inf
+    for fit, off in _fits(front[seen], back[seen]):
+        if np.isfinite(homology.apply(fit, front)).all():
+            if off <= limit:
+                return fit
+            if off < least:
+                best, least = fit, off
+    return best
 
 
 def map_cost(front: Floats, back: Floats, drawn: Bools) -> float:
     """How elaborate the plane map is: 0 for an exact translation, growing with degrees of freedom and misfit."""
     seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
-    src, dst = front[seen], back[seen]
     size = float(np.linalg.norm(np.ptp(np.concatenate([front, back]), axis=0))) + 1e-9
-    fits = [homology.translation((dst - src).mean(axis=0)), homology.similarity(src, dst)]
-    if len(src) >= 3:
-        fits.append(homology.homology(src, dst))
-    off = [np.sqrt((np.linalg.norm(homology.apply(f, src) - dst, axis=1) ** 2).mean()) for f in fits]
-    return float(min(k * MAP_STEP + o / size for k, o in enumerate(off) if np.isfinite(o)))
+    least = np.inf
+    for k, (_, off) in enumerate(_fits(front[seen], back[seen])):
+        if k * MAP_STEP >= least:
+            break
+        if np.isfinite(off):
+            least = min(least, k * MAP_STEP + off / size)
+    return float(least)
 
 
 def _jacobian(h: Floats, points: Floats) -> Floats:

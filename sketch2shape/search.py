@@ -10,18 +10,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import cv2
 import numpy as np
 
 from sketch2shape import caps, separate
 from sketch2shape.corners import crossings, join_ends
-from sketch2shape.model import Bools, Floats, Ink
-from sketch2shape.refine import map_cost, refine, split
-from sketch2shape.regions import enclosed_regions, without_edge
+from sketch2shape.model import Floats, Ink
+from sketch2shape.refine import map_cost, refine
+from sketch2shape.regions import Region, enclosed_regions
+from sketch2shape.rings import Rings, plausible, split
 from sketch2shape.sheet import Group, split_groups
+from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
+from sketch2shape.simplify import simplified
 from sketch2shape.strokes import Skeleton, Strokes, coverage, thin, trace_strokes
-from sketch2shape.verify import Evidence, Rings, Sheet, is_dashed, judge, plausible, skeleton_sheet, worth_judging
+from sketch2shape.verify import Evidence, Sheet, is_dashed, judge, skeleton_sheet
 
 GOOD = 0.98
 MOST_STEPS = 24000
@@ -37,12 +41,8 @@ LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
-SHORTLIST = 5
-UNSEEN_BEND = 0.03
-"""Score that a wavy drawing may lose with a flat vertex of which only a bend in the front's outline tells."""
-FLAT = 0.35
-"""A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
-MOST_HYPOTHESES = 160
+POOR = 0.8
+"""A round whose best hypothesis scores less is refined only if no other round does better."""
 MOST_CORNERS = 120
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
@@ -149,9 +149,7 @@ def find_all(ink: Ink) -> list[Found]:
             break
         best = find(group)
         if best is not None and (best.evidence.score >= LEAST_SCORE or not found):
-            shift = group.offset
-            rings = Rings(tuple(r + shift for r in best.rings.front), tuple(r + shift for r in best.rings.back))
-            found.append(replace(best, rings=rings))
+            found.append(replace(best, rings=best.rings.shifted(group.offset)))
             found.sort(key=lambda f: -(f.evidence.score >= LEAST_SCORE) * f.size)
     if len(found) > 1:
         found = [f for f in found if f.evidence.score >= LEAST_SCORE] or found[:1]
@@ -163,67 +161,137 @@ def find(group: Group) -> Found | None:
     skeleton = thin(group.ink)
     if len(skeleton.points) < 30 or len(skeleton.paths) > MOST_PATHS:
         return None
-    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
-    narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
     best: Found | None = None
+    poor: Attempt | None = None
     good_since = 99
-    for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
-        if k and tolerant.reach > COARSEST * narrow:
-            break
-        found = _round(group, skeleton, tolerant)
-        if found is not None and (best is None or _merit(found) - 0.004 * k > _merit(best)):
-            best = found
+    for k, attempt in enumerate(_attempts(group, skeleton)):
+        if attempt.score >= POOR:
+            best = _better(best, _best_of(attempt), 0.004 * k)
+        elif poor is None or attempt.score > poor.score:
+            poor = attempt
         # an answer that is good but not perfect has to hold against those of the next round
         if best is not None and (best.evidence.score >= PERFECT or k > good_since + _is_busy(best)):
             break
-        if (best is None or best.evidence.score < 0.5) and len(trace_strokes(skeleton, tolerant.trace).ends) > DENSE:
+        if best is None and attempt.score < 0.5 and len(attempt.traced.strokes.ends) > DENSE:
             break
         if best is not None and best.evidence.score >= GOOD - 0.01 * k:
             good_since = min(good_since, k)
+    if poor is not None and (best is None or best.evidence.score < poor.score):
+        best = _better(best, _best_of(poor))
     return best
 
 
-def _sheet(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
-    """Small pieces may be letters: explaining them counts for little."""
+def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> Found | None:
+    """The one with more merit; the other needs more by the handicap."""
+    if best is None or other is None:
+        return best or other
+    return other if _merit(other) - handicap > _merit(best) else best
+
+
+@dataclass(frozen=True)
+class Traced:
+    """What a drawing looks like at one tolerance, pixels."""
+
+    group: Group
+    skeleton: Skeleton
+    tolerance: float
+
+    @cached_property
+    def strokes(self) -> Strokes:
+        """The straight strokes of all ink that is neither letters nor dashes."""
+        return trace_strokes(self.skeleton, self.tolerance, self.group.solid)
+
+    @cached_property
+    def regions(self) -> list[Region]:
+        """What the ink encloses."""
+        return enclosed_regions(self.group.ink.mask, self.skeleton.pen_width, self.tolerance)
+
+    @cached_property
+    def dash_ends(self) -> Floats:
+        """(k, 2) float, pixels: where strokes of small pieces of ink, such as dashes, end or meet."""
+        at = self.skeleton.points.astype(np.intp)
+        if self.group.solid[at[:, 1], at[:, 0]].all():
+            return np.zeros((0, 2))
+        strokes = trace_strokes(self.skeleton, self.tolerance, self.group.ink.mask & ~self.group.solid)
+        long = strokes.lengths > 4 * self.skeleton.pen_width
+        some = replace(strokes, ends=strokes.ends[long][:60], inked=strokes.inked[long][:60])
+        return join_ends(some, self.skeleton.pen_width).points
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """The outcome of one round, before refinement: the best few hypotheses, the best first."""
+
+    traced: Traced
+    shortlist: list[Judged]
+    sheet: Sheet
+
+    @property
+    def score(self) -> float:
+        """Of the best hypothesis; 0 if there is none."""
+        return self.shortlist[0][1].score if self.shortlist else 0.0
+
+
+def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
+    """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little."""
     at = skeleton.points.astype(np.intp)
     weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
     return skeleton_sheet(skeleton.distance, skeleton.points, weights, reach + 0.5, skeleton.pen_width)
 
 
-def _round(group: Group, skeleton: Skeleton, tolerant: Round) -> Found | None:
-    pen = group.ink.pen_width
-    strokes = trace_strokes(skeleton, tolerant.trace, group.solid)
-    graph = corner_graph(skeleton, vertex_candidates(strokes, tolerant, pen), tolerant.reach)
-    sheet = _sheet(group, skeleton, tolerant.reach)
+def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
+    """Round after round."""
+    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
+    narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
+    traced = Traced(group, skeleton, 0.0)
+    for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
+        if k and tolerant.reach > COARSEST * narrow:
+            break
+        if traced.tolerance != tolerant.trace:
+            traced = Traced(group, skeleton, tolerant.trace)
+        yield _attempt(traced, tolerant)
+
+
+def _attempt(traced: Traced, tolerant: Round) -> Attempt:
+    skeleton, pen = traced.skeleton, traced.skeleton.pen_width
+    graph = corner_graph(skeleton, vertex_candidates(traced.strokes, tolerant, pen), tolerant.reach)
+    sheet = sheet_for(traced.group, skeleton, tolerant.reach)
     # within the width of a ruled line there is no second answer to a wireframe
     enough = 1 if tolerant.reach <= RULED else SHORTLIST
-    best = _shortlist(wire_hypotheses(graph), sheet, [], enough)
+    best = shortlist(wire_hypotheses(graph), sheet, [], enough)
     if not best or best[0][1].score < GOOD:
-        regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
-        best = _shortlist(caps.caps(graph, regions, pen), sheet, best)
+        best = shortlist(caps.caps(graph, traced.regions, pen), sheet, best)
         if tolerant.loose and (not best or best[0][1].score < GOOD):
-            best = _shortlist(caps.loose_caps(graph, regions, pen), sheet, best)
+            best = shortlist(caps.loose_caps(graph, traced.regions, pen), sheet, best)
+    return Attempt(traced, best, sheet)
+
+
+def _best_of(attempt: Attempt) -> Found | None:
+    """The best of a round's hypotheses after refinement."""
+    traced = attempt.traced
     found: Found | None = None
-    dashes = _dash_ends(group, skeleton, tolerant)
-    for rings, evidence in best:
-        if found is not None and evidence.score < found.evidence.score - HOPELESS:
-            break
-        rings, evidence = _at_dashes(rings, evidence, sheet, dashes)
-        refined = _refined(skeleton, rings, evidence, sheet)
+    tried: list[Rings] = []
+    for rings, evidence in attempt.shortlist:
+        if found is not None:
+            hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
+            if evidence.score < found.evidence.score - hopeless:
+                break
+            if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
+                continue
+        tried.append(rings)
+        rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced.dash_ends)
+        refined = _refined(traced.skeleton, rings, evidence, attempt.sheet)
         if found is None or _merit(refined) > _merit(found):
             found = refined
     return found
 
 
-def _dash_ends(group: Group, skeleton: Skeleton, tolerant: Round) -> Floats:
-    """(k, 2) float, pixels: where strokes of small pieces of ink, such as dashes, end or meet."""
-    at = skeleton.points.astype(np.intp)
-    if group.solid[at[:, 1], at[:, 0]].all():
-        return np.zeros((0, 2))
-    strokes = trace_strokes(skeleton, tolerant.trace, group.ink.mask & ~group.solid)
-    long = strokes.lengths > 4 * skeleton.pen_width
-    some = replace(strokes, ends=strokes.ends[long][:60], inked=strokes.inked[long][:60])
-    return join_ends(some, skeleton.pen_width).points
+def _alike(a: Rings, b: Rings, near: float) -> bool:
+    """Whether refinement will make the same of both: the same rings to within the reach of a line."""
+    if a.sizes != b.sizes:
+        return False
+    gap = [np.linalg.norm(p[:, None] - q[None], axis=2) for p, q in ((a.front[0], b.front[0]), (a.back[0], b.back[0]))]
+    return all(g.min(axis=0).max() <= near and g.min(axis=1).max() <= near for g in gap)
 
 
 def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, dashes: Floats) -> tuple[Rings, Evidence]:
@@ -239,7 +307,7 @@ def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, dashes: Floats) -
                 break
             moved = vertices.copy()
             moved[m + i] = dashes[k]
-            other = split(moved, [len(r) for r in rings.front])
+            other = split(moved, rings.sizes)
             judged = judge(other, sheet) if plausible(other, 0.0) else evidence
             more = judged.explained > evidence.explained + 0.003
             if more and judged.lines == "dashed" and judged.score > evidence.score - 0.01:
@@ -258,26 +326,6 @@ def _merit(found: Found) -> float:
     return found.evidence.score - 0.002 * len(front) - 0.5 * map_cost(front, back, found.evidence.drawn)
 
 
-def _shortlist(
-    hypotheses: Iterator[Rings], sheet: Sheet, best: list[tuple[Rings, Evidence]], enough: int = SHORTLIST
-) -> list[tuple[Rings, Evidence]]:
-    """The best few of the hypotheses and those already known; enough nearly perfect ones end the search."""
-    judged, seen, perfect = list(best), set(), 0
-    for count, rings in enumerate(hypotheses):
-        if count >= MOST_HYPOTHESES:
-            break
-        key = np.round(rings.vertices / 2).tobytes()
-        if key in seen or not plausible(rings, 1.5 * sheet.pen) or not worth_judging(rings, sheet):
-            continue
-        seen.add(key)
-        evidence = judge(rings, sheet)
-        judged.append((rings, evidence))
-        perfect += evidence.score > PERFECT
-        if perfect >= enough:
-            break
-    return sorted(judged, key=lambda j: -j[1].score)[:SHORTLIST]
-
-
 def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
     """The hypothesis moved to the ink and without needless vertices, judged as strictly as the lines allow."""
     moved, noise = refine(rings, skeleton.points, sheet.reach, evidence.drawn)
@@ -294,70 +342,6 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
     if judged.lines == "wire":
         # a wide reach bridges the gaps of dashes; and only a front that is seen whole can be in front
         for way in (simpler, simpler.swapped()):
-            if is_dashed(way, skeleton.points, strict):
+            if is_dashed(way, strict):
                 return Found(way, replace(judge(way, strict), lines="dashed"), sheet.reach, noise)
     return Found(simpler, judged, sheet.reach, noise)
-
-
-def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float, points: Floats) -> tuple[Rings, Evidence]:
-    """Without the vertices that the drawing does not need: of two answers that explain it, the simpler one holds.
-
-    noise  : rms distance between lines and ink, pixels; a steady hand means every bend it makes
-    points : (k, 2) float, skeleton pixels
-    """
-    best = evidence.score
-    thick = max(0.0, sheet.pen / sheet.size - 0.01)
-    while True:
-        n = sum(len(r) for r in rings.front)
-        # what dropping a true vertex costs goes with its share of the edges
-        slack = min(0.15 / n, 0.002 + 0.03 * max(0.0, noise - 0.3)) + thick
-        seen = evidence.drawn if noise > 0.5 else np.ones(n, bool)
-        for fewer, hidden in _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5), seen):
-            if plausible(fewer, 0.0):
-                judged = judge(fewer, sheet)
-                limit = best - slack - hidden * UNSEEN_BEND
-                if noise > 0.5 and limit - 0.3 < judged.score < limit:
-                    # one stroke in place of two lies between them
-                    moved, _ = refine(fewer, points, 3 * sheet.reach, judged.drawn)
-                    fewer, judged = moved, judge(moved, sheet) if plausible(moved, 0.0) else judged
-                if judged.score >= limit:
-                    rings, evidence, best = fewer, judged, max(best, judged.score)
-                    break
-        else:
-            return rings, evidence
-
-
-def _simpler(rings: Rings, short: float, drawn: Bools) -> Iterator[tuple[Rings, bool]]:
-    """The rings with a flat vertex dropped, or with an edge that is short in both faces drawn together to a tip.
-
-    Also says whether what goes is a flat vertex whose partner behind nobody sees.
-    """
-    start = 0
-    for k, (front, back) in enumerate(zip(rings.front, rings.back, strict=True)):
-        n = len(front)
-        seen = drawn[start : start + n]
-        start += n
-        if n <= 3:
-            continue
-        turns = [_turn(front, i) + _turn(back, i) for i in range(n)]
-        for i in np.argsort(turns)[: sum(t < 2 * FLAT for t in turns)]:
-            yield _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0)), not seen[i]
-        for i in range(n):
-            j = (i + 1) % n
-            if np.linalg.norm(front[i] - front[j]) < short and np.linalg.norm(back[i] - back[j]) < short:
-                tips = without_edge(front, i), without_edge(back, i)
-                yield _replaced(rings, k, *tips), False
-
-
-def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:
-    """The rings with the k-th pair replaced."""
-    return Rings(
-        tuple(front if j == k else r for j, r in enumerate(rings.front)),
-        tuple(back if j == k else r for j, r in enumerate(rings.back)),
-    )
-
-
-def _turn(ring: Floats, i: int) -> float:
-    """By how much a ring turns at vertex i, radians."""
-    u, v = ring[i] - ring[i - 1], ring[(i + 1) % len(ring)] - ring[i]
-    return abs(float(np.arctan2(u[0] * v[1] - u[1] * v[0], u @ v)))

@@ -17,7 +17,7 @@ import numpy as np
 
 from sketch2shape import homology
 from sketch2shape.model import Bools, Floats, Ints
-from sketch2shape.verify import Rings
+from sketch2shape.rings import Rings
 
 MOST_RUNGS = 3000
 """A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
@@ -196,12 +196,16 @@ def _prune(mine: Ints, links: Bools) -> Ints:
 def _refit(graph: CornerGraph, rungs: Ints, h: Floats) -> Floats:
     """The simplest kind of map that fits these rungs."""
     src, dst = graph.points[rungs[:, 0]], graph.points[rungs[:, 1]]
-    fits = [homology.translation((dst - src).mean(axis=0)), homology.similarity(src, dst)]
-    if len(rungs) >= 4:
-        fits.append(homology.homology(src, dst))
-    for fit in fits:
-        if np.linalg.norm(homology.apply(fit, src) - dst, axis=1).max() <= 0.6 * graph.tolerance:
-            return fit
+    shift = dst - src
+    limit = (0.6 * graph.tolerance) ** 2
+    off = shift - shift.mean(axis=0)
+    if (off * off).sum(axis=1).max() <= limit:
+        return homology.translation(shift.mean(axis=0))
+    for fit in (homology.similarity, homology.homology)[: 1 + (len(rungs) >= 4)]:
+        fitted = fit(src, dst)
+        off = homology.apply(fitted, src) - dst
+        if (off * off).sum(axis=1).max() <= limit:
+            return fitted
     return h
 
 

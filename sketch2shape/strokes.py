@@ -17,7 +17,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats, Ink
+from sketch2shape.model import Bools, Floats, Ink, Ints
 
 MOST_PIECES = 700
 """Pieces of lines that are looked at, the longest: a drawing has far fewer, a scribble or a texture any number."""
@@ -105,6 +105,23 @@ def fit_line(points: Floats) -> tuple[Floats, Floats]:
     xx, yy, xy = float(q[:, 0] @ q[:, 0]), float(q[:, 1] @ q[:, 1]), float(q[:, 0] @ q[:, 1])
     angle = 0.5 * np.arctan2(2 * xy, xx - yy)
     return centre, np.array([np.cos(angle), np.sin(angle)])
+
+
+def project(points: Floats, starts: Floats, directions: Floats) -> tuple[Floats, Floats]:
+    """Points against lines: distance along each line from its start, and distance off it; both (k, m) float, pixels.
+
+    points             : (k, 2) float
+    starts, directions : (m, 2) float, directions of unit length
+    """
+    normals = np.stack([-directions[:, 1], directions[:, 0]], axis=1)
+    along = points @ directions.T - (starts * directions).sum(axis=1)
+    return along, np.abs(points @ normals.T - (starts * normals).sum(axis=1))
+
+
+def thinned(count: int, most: int) -> Ints:
+    """Indices of about `most` of `count` points, evenly, but without a period that could skip every other line."""
+    index = np.arange(count)
+    return index if count <= most else index[(index * 0.6180339887) % 1.0 < most / count]
 
 
 def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> list[Floats]:

@@ -6,8 +6,8 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, prism, shrunk
 
 from sketch2shape.homology import apply
 from sketch2shape.refine import plane_map, refine
+from sketch2shape.rings import Rings
 from sketch2shape.strokes import thin
-from sketch2shape.verify import Rings
 
 TAPERED = shrunk(SQUARE, 0.6, np.array([420.0, 40]))
 

@@ -6,8 +6,8 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, shrunk
 
 from sketch2shape import homology
 from sketch2shape.model import ring_edges
+from sketch2shape.rings import Rings
 from sketch2shape.separate import CornerGraph, cycles, ladders, ring_pair, with_holes
-from sketch2shape.verify import Rings
 
 
 def graph_of(*pairs, extra=()):

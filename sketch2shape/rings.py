@@ -1,0 +1,163 @@
+"""Rings: the outlines of the two faces of a hypothesis, alone and in stacks.
+
+A search tries hundreds of hypotheses, most of them with rings of the same sizes: a stack holds those in one array, so
+that they are checked and judged together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from sketch2shape.model import Bools, Floats, Ints, ring_edges
+
+SHORTEST_RUNG = 0.1
+"""Least length of a connecting edge, as a part of the longest: shorter ones make a side of a pyramid's corner."""
+SMALLEST_FACE = 0.03
+"""Least area of the smaller face, as a part of the larger one."""
+
+
+class Rings(NamedTuple):
+    """Corresponding rings of a hypothesis: front[k][i] joins back[k][i]; the outer ring first."""
+
+    front: tuple[Floats, ...]
+    back: tuple[Floats, ...]
+
+    @property
+    def vertices(self) -> Floats:
+        """(2m, 2) float."""
+        return np.concatenate([*self.front, *self.back])
+
+    @property
+    def sizes(self) -> tuple[int, ...]:
+        """Number of vertices of each ring of one face."""
+        return tuple(len(r) for r in self.front)
+
+    def swapped(self) -> Rings:
+        """Front and back exchanged."""
+        return Rings(self.back, self.front)
+
+    def shifted(self, by: Floats) -> Rings:
+        """Moved by a vector (2,)."""
+        return Rings(tuple(r + by for r in self.front), tuple(r + by for r in self.back))
+
+
+def split(vertices: Floats, sizes: Iterable[int]) -> Rings:
+    """Vertices (2m, 2) in the order of the contract back into rings."""
+    sizes = tuple(sizes)
+    if len(sizes) == 1:
+        return Rings((vertices[: sizes[0]],), (vertices[sizes[0] :],))
+    cuts = np.cumsum(sizes + sizes)[:-1]
+    parts = np.split(vertices, cuts)
+    return Rings(tuple(parts[: len(sizes)]), tuple(parts[len(sizes) :]))
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What connects the vertices of rings of certain sizes, m vertices to a face.
+
+    edges  : (3m, 2) int, front, back and connecting edges of each ring in turn
+    after  : (m,) int, the next vertex of the same ring
+    behind : (3m,) bool, edges that something may hide: all but those of the front
+    spans  : start and end of each ring
+    """
+
+    edges: Ints
+    after: Ints
+    behind: Bools
+    spans: tuple[tuple[int, int], ...]
+
+
+@lru_cache(maxsize=256)
+def frame(sizes: tuple[int, ...]) -> Frame:
+    """The frame of rings of these sizes."""
+    starts = np.cumsum([0, *sizes]).tolist()
+    spans = tuple(pairwise(starts))
+    after = np.concatenate([np.r_[a + 1 : b, a] for a, b in spans])
+    behind = np.concatenate([np.repeat([False, True, True], n) for n in sizes])
+    return Frame(ring_edges(list(sizes)), after, behind, spans)
+
+
+@dataclass(frozen=True)
+class Stack:
+    """Hypotheses whose rings have the same sizes.
+
+    vertices : (b, 2m, 2) float, each hypothesis in the order of the contract
+    sizes    : of the rings of one face, sum m
+    """
+
+    vertices: Floats
+    sizes: tuple[int, ...]
+
+    @property
+    def frame(self) -> Frame:
+        """What connects the vertices."""
+        return frame(self.sizes)
+
+    @property
+    def faces(self) -> Floats:
+        """(b, 2, m, 2) float, the vertices of both faces."""
+        return self.vertices.reshape(len(self.vertices), 2, -1, 2)
+
+    def __len__(self) -> int:
+        """How many hypotheses."""
+        return len(self.vertices)
+
+    def some(self, index: Ints) -> Stack:
+        """A part of the stack."""
+        return Stack(self.vertices[index], self.sizes)
+
+
+def stack(rings: list[Rings]) -> Stack:
+    """Hypotheses with rings of the same sizes as one stack."""
+    return Stack(np.array([r.vertices for r in rings]), rings[0].sizes)
+
+
+def plausible(rings: Rings, least: float) -> bool:
+    """Whether the rings could be the faces of an object (see `which_plausible`)."""
+    return bool(which_plausible(stack([rings]), least).all())
+
+
+def which_plausible(stacked: Stack, least: float) -> Bools:
+    """(b,) bool: rings that could be the faces of an object, simple, alike in size, no edge shorter than least pixels.
+
+    A back face shrunk to almost nothing turns the object into a pyramid, which is none.
+    """
+    v = stacked.vertices
+    ok: Bools = np.asarray(np.isfinite(v).all(axis=(1, 2)))
+    ok &= np.abs(np.where(ok[:, None, None], v, 0.0)).max(axis=(1, 2)) <= 1e5
+    v = np.where(ok[:, None, None], v, 0.0)
+    faces = v.reshape(len(v), 2, -1, 2)
+    edge = faces[:, :, stacked.frame.after] - faces
+    ok &= np.einsum("...k,...k", edge, edge).min(axis=(1, 2)) >= least * least
+    rung = faces[:, 1] - faces[:, 0]
+    length = np.sqrt(np.einsum("...k,...k", rung, rung))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for a, b in stacked.frame.spans:
+            own = length[:, a:b]
+            ok &= own.min(axis=1) >= np.maximum(least, SHORTEST_RUNG * own.max(axis=1))
+            x, y = faces[:, :, a:b, 0], faces[:, :, a:b, 1]
+            dx, dy = edge[:, :, a:b, 0], edge[:, :, a:b, 1]
+            area = (x * dy - y * dx).sum(axis=2)
+            ratio = area[:, 1] / area[:, 0]
+            ok &= (ratio >= SMALLEST_FACE) & (ratio <= 1 / SMALLEST_FACE)
+            if ok.any():
+                ok &= _are_simple(faces[:, :, a:b])
+    return ok
+
+
+def _are_simple(polygons: Floats) -> Bools:
+    """(b,) bool: no two edges of either of the polygons (b, 2, n, 2) cross."""
+    n = polygons.shape[2]
+    after = np.r_[1:n, 0]
+    x, y = polygons[..., 0], polygons[..., 1]
+    dx, dy = x[..., after] - x, y[..., after] - y
+    # on which side of the line through edge i (second to last axis) vertex j (last axis) lies
+    side = dx[..., None] * (y[..., None, :] - y[..., None]) - dy[..., None] * (x[..., None, :] - x[..., None])
+    apart = side * side[..., after] < -1e-9
+    return np.asarray(~(apart & np.swapaxes(apart, -1, -2)).any(axis=(1, 2, 3)))

@@ -1,0 +1,42 @@
+"""The best few of many hypotheses."""
+
+import numpy as np
+from sketches import DEPTH, SQUARE, prism, sheet_of
+
+from sketch2shape.rings import Rings
+from sketch2shape.shortlist import SHORTLIST, shortlist, verified
+
+SHEET = sheet_of(prism(SQUARE, SQUARE + DEPTH))
+BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
+WRONG = Rings((SQUARE,), (SQUARE + DEPTH + [14.0, 0],))
+
+
+def test_the_best_comes_first_and_few_are_kept():
+    some = [WRONG, BOX, *(Rings((SQUARE + k,), (SQUARE + DEPTH,)) for k in range(1, 12))]
+    best = shortlist(some, SHEET, [])
+    assert np.array_equal(best[0][0].vertices, BOX.vertices)
+    scores = [evidence.score for _, evidence in best]
+    assert scores == sorted(scores, reverse=True)
+    assert len(best) <= SHORTLIST
+
+
+def test_a_nearly_perfect_one_ends_the_search():
+    taken = []
+
+    def source():
+        for k in range(100):
+            taken.append(k)
+            yield BOX if k == 0 else Rings((SQUARE + 0.1 * k,), (SQUARE + DEPTH,))
+
+    assert shortlist(source(), SHEET, [], enough=1)[0][1].score > 0.995
+    assert len(taken) < 10
+
+
+def test_what_is_known_stays_in_the_running():
+    known = list(verified([BOX], SHEET))
+    assert shortlist([WRONG], SHEET, known)[0][0] is BOX
+
+
+def test_the_same_hypothesis_is_judged_once_and_nonsense_never():
+    infinite = Rings((SQUARE,), (SQUARE + np.inf,))
+    assert len(list(verified([infinite, BOX, BOX, Rings((SQUARE,), (SQUARE,))], SHEET))) == 1
