@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.pen import rough_pen_width
+from sketch2shape.pieces import connected_pieces
 
 Gray = NDArray[np.uint8]
 
@@ -74,39 +75,47 @@ def without_clutter(mask: Bools, contrast: Gray, *, noisy: bool = False) -> Bool
     noisy    : short pale components are noise
     returns  : (h, w), the same array where there is nothing to take away
     """
-    count, found, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
-        mask.astype(np.uint8), 8, cv2.CV_32S, cv2.CCL_GRANA
-    )
-    if count < 3:
-        return mask
-    extent = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
-    extent[0] = 0.0
+    ink = np.asarray(mask, np.bool_).view(np.uint8)
+    pieces = connected_pieces(ink)
+    extent = pieces.extent
     largest = float(extent.max())
     small = extent < SMALL * largest
     small[0] = False
     if not small.any():
         return mask
-    labels = np.asarray(found, dtype=np.int32)
+    labels = pieces.label
+    where = np.flatnonzero(mask)
+    label_of = labels.ravel()[where]
     chosen = np.flatnonzero(small)
-    chosen = chosen[np.argsort(-stats[chosen, cv2.CC_STAT_AREA], kind="stable")[:MOST]]
-    large = np.asarray(mask & ~small[labels])
+    chosen = chosen[np.argsort(-np.bincount(label_of)[chosen], kind="stable")[:MOST]]
+    large = _only(mask, where[~small[label_of]])
     pen_width = rough_pen_width(large)
-    parts = _measure(labels, chosen, contrast)
+    parts = _measure(where, label_of, chosen, contrast)
     if noisy:
         usual = float(np.percentile(contrast[large], 75))
         parts = parts.only((parts.peak > FAINT * usual) | (parts.length > 2.5 * pen_width))
     keep = ~small
     keep[parts.labels] = _belongs(parts, labels, large, pen_width, LETTER * largest, noisy)
-    keep[0] = False
-    return np.asarray(keep[labels], dtype=np.bool_)
+    return _only(mask, where[keep[label_of]])
 
 
-def _measure(labels: NDArray[np.int32], chosen: Ints, contrast: Gray) -> Parts:
-    """Moments of the chosen components; a stroke of length l and width w has variances l^2 / 12 and w^2 / 12."""
-    index = np.full(int(labels.max()) + 1, -1)
+def _only(mask: Bools, where: Ints) -> Bools:
+    """A mask of the same shape, set at some places, given as they lie one row after the other."""
+    result = np.zeros(mask.size, np.bool_)
+    result[where] = True
+    return result.reshape(mask.shape)
+
+
+def _measure(where: Ints, label_of: NDArray[np.int32], chosen: Ints, contrast: Gray) -> Parts:
+    """Moments of the chosen components; a stroke of length l and width w has variances l^2 / 12 and w^2 / 12.
+
+    where, label_of : (m,) places of all ink in the raveled picture, and the component each belongs to
+    """
+    index = np.full(int(label_of.max()) + 1, -1)
     index[chosen] = np.arange(len(chosen))
-    ys, xs = np.nonzero(index[labels] >= 0)
-    which = index[labels[ys, xs]]
+    which = index[label_of]
+    where, which = where[which >= 0], which[which >= 0]
+    ys, xs = np.divmod(where, contrast.shape[1])
     area = np.bincount(which, minlength=len(chosen)).astype(np.float64)
 
     def mean(values: Floats) -> Floats:

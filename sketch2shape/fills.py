@@ -26,14 +26,14 @@ PALER = 0.8
 """Wide ink below this share of the darkest ink's contrast is a fill."""
 
 
-def without_fills(contrast: Gray, floor: float) -> Gray:
+def without_fills(contrast: Gray, floor: float, diagonal: float) -> Gray:
     """Contrast with every fill replaced by its outline.
 
     contrast : (h, w) uint8, see `Ground`
     floor    : contrast below which nothing is ink
+    diagonal : of the picture of which this is a part, pixels
     returns  : (h, w) uint8; `contrast` itself where nothing is filled
     """
-    diagonal = float(np.hypot(*contrast.shape))
     core = _wide_core(contrast, floor, diagonal)
     if not core.any() or _are_thick_strokes(contrast, core):
         return contrast
@@ -55,6 +55,9 @@ def _box(size: float) -> Gray:
 def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool_]:
     """(h, w) centres of large boxes that fit into the ink, except in blots: thick corners, arrow heads, vertex dots."""
     box = _box(WIDE * diagonal)
+    # every fourth pixel of such a box would be ink too: seen in a sixteenth of the time
+    if not (cv2.erode(contrast[::4, ::4], np.ones((len(box) // 4,) * 2, np.uint8)) > floor).any():
+        return np.zeros(contrast.shape, np.bool_)
     core = np.asarray(cv2.erode(contrast, box) > floor, dtype=np.uint8)
     if not core.any():
         return core > 0

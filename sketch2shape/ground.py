@@ -16,11 +16,14 @@ from numpy.typing import NDArray
 from sketch2shape.paper import noise_of
 
 Gray = NDArray[np.uint8]
+Counts = NDArray[np.float64]
 
 LONG_SIDE = 1100
 """Long side of the working size for large pictures, pixels."""
 SMALL_SIDE = 300
 """Pictures with a shorter long side are enlarged so that junctions separate."""
+CLEAN = 0.6
+"""Share of the pixels that have exactly the level of the margin, from which there is no noise."""
 FEW_LEVELS = 12
 """A picture nine tenths of which have fewer grey levels than this was not lit by a lamp."""
 COLOUR_SHARE = 0.6
@@ -52,22 +55,24 @@ def read_ground(pixels: Gray) -> Ground:
     rgb, scale = at_working_size(pixels)
     gray = _u8(cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY))
     ground = _frame_level(gray)
-    even = _is_even(gray, ground)
-    dark = _is_dark(gray, ground, even)
-    beyond = np.count_nonzero(gray < ground - 24 if dark else gray > ground + 24)
-    even = even and bool(beyond < 0.2 * gray.size)  # else the frame shows the table, and the page lies on it
+    levels = _levels(gray[::2])
+    clean = bool(levels[ground] > CLEAN * levels.sum())
+    even = _is_even(levels if clean else _levels(_without_noise(gray)), ground)
+    dark = _is_dark(gray, levels, ground, even)
+    beyond = levels[: max(0, ground - 24)] if dark else levels[ground + 25 :]
+    even = even and bool(beyond.sum() < 0.2 * levels.sum())  # else the frame shows the table, and the page lies on it
     planes = [_u8(p) for p in (gray, *cv2.split(rgb))] if _is_coloured(rgb) else [gray]
     if dark:
         planes = [_u8(cv2.bitwise_not(p)) for p in planes]
-    papers = [_even_paper(p) if even else _uneven_paper(p) for p in planes]
-    contrasts = [_contrast(p, q) for p, q in zip(planes, papers, strict=True)]
+    papers = [] if even else [_uneven_paper(p) for p in planes]
+    contrasts = [_even_contrast(p) for p in planes] if even else list(map(_contrast, planes, papers))
     contrast = contrasts[0]
     if len(contrasts) > 1:
         strongest = np.max(np.stack(contrasts[1:]), axis=0)
         contrast = np.maximum(contrast, _u8(cv2.convertScaleAbs(strongest, alpha=COLOUR_SHARE)))
     if not even:
         contrast = np.minimum(_levelled(contrast), _thin_contrast(planes[0]))
-    noise = noise_of(contrast)
+    noise = 0.0 if clean and even else noise_of(contrast)
     if noise > 3.0:
         contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
     return Ground(contrast, rgb, None if even else papers[0], even, noise, scale)
@@ -98,11 +103,17 @@ def _reduced(gray: Gray, factor: float) -> Gray:
     return _u8(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
 
 
-def _is_even(gray: Gray, ground: int) -> bool:
-    """The ground is one narrow peak (seen reduced, without noise), or very few levels hold all: flat fills."""
-    factor = 0.5 if noise_of(gray) < 6.0 else 0.25
-    half = _reduced(gray, factor)
-    levels = cv2.calcHist([half], [0], None, [256], [0, 256]).ravel()
+def _levels(gray: Gray) -> Counts:
+    """(256,) how many pixels have each level."""
+    return np.asarray(cv2.calcHist([gray], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
+
+
+def _without_noise(gray: Gray) -> Gray:
+    return _reduced(gray, 0.5 if noise_of(gray) < 6.0 else 0.25)
+
+
+def _is_even(levels: Counts, ground: int) -> bool:
+    """The ground is one narrow peak, or very few levels hold all: flat fills."""
     fullest = np.cumsum(np.sort(levels)[::-1])
     peak = levels[max(0, ground - 6) : ground + 7].sum()
     hump = levels[max(0, ground - 24) : ground + 25].sum()
@@ -120,7 +131,8 @@ def _frame_level(gray: Gray) -> int:
     h, w = inner.shape
     y, x = max(1, h // 15), max(1, w // 15)
     parts = (inner[:y], inner[-y:], inner[y:-y, :x], inner[y:-y, -x:])
-    counts = np.bincount(np.concatenate([p.ravel() for p in parts]), minlength=256)
+    margin = np.concatenate([p.ravel() for p in parts])
+    counts = _levels(margin)
     middle = int(np.argmax(np.convolve(counts, np.ones(5), mode="same")))
     low = max(0, middle - 2)
     return low + int(np.argmax(counts[low : middle + 3]))
@@ -128,14 +140,14 @@ def _frame_level(gray: Gray) -> int:
 
 def _is_coloured(rgb: Gray) -> bool:
     """Some pixels are clearly not grey."""
-    red, green, blue = cv2.split(rgb)
-    tint = np.maximum(cv2.absdiff(red, green), cv2.absdiff(green, blue))
-    return bool(np.count_nonzero(tint > 50) > 0.0005 * tint.size)
+    red, green, blue = cv2.split(rgb[::2])
+    tint = cv2.max(cv2.absdiff(red, green), cv2.absdiff(green, blue))
+    return bool(cv2.countNonZero(cv2.threshold(tint, 50, 1, cv2.THRESH_BINARY)[1]) > 0.0005 * tint.size)
 
 
-def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
+def _is_dark(gray: Gray, levels: Counts, ground: int, even: bool) -> bool:
     """Light ink on a dark ground: by what is thin, or else by the side of the ground on which the rest lies."""
-    dark, light = np.count_nonzero(gray < ground - 24), np.count_nonzero(gray > ground + 24)
+    dark, light = levels[: max(0, ground - 24)].sum(), levels[ground + 25 :].sum()
     if dark == light == 0:
         return ground < 128
     if even and min(dark, light) < 0.003 * max(dark, light):
@@ -150,8 +162,10 @@ def _is_dark(gray: Gray, ground: int, even: bool) -> bool:
     return bool(light > dark)
 
 
-def _even_paper(plane: Gray) -> Gray:
-    return np.full_like(plane, max(_frame_level(plane), 1))
+def _even_contrast(plane: Gray) -> Gray:
+    """1 - plane / level of the margin in 255ths, by a table."""
+    levels = np.arange(256, dtype=np.uint8)
+    return _u8(cv2.LUT(plane, _contrast(levels, np.full_like(levels, max(_frame_level(plane), 1)))))
 
 
 def _uneven_paper(plane: Gray) -> Gray:

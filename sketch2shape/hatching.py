@@ -31,18 +31,20 @@ TURNS = 36
 """Directions that are tried for the edges through a hatching."""
 
 
-def without_hatching(mask: Bools) -> Bools:
+def without_hatching(mask: Bools, diagonal: float) -> Bools:
     """The ink without hatch lines.
 
-    mask    : (h, w) ink
-    returns : (h, w); the same array where nothing is hatched
+    mask     : (h, w) ink
+    diagonal : of the picture of which this is a part, pixels
+    returns  : (h, w); the same array where nothing is hatched
     """
-    diagonal = float(np.hypot(*mask.shape))
     pen_width = rough_pen_width(mask)
     if pen_width > 0.6 * SPACING * diagonal:
         return mask
-    ink = mask.astype(np.uint8)
+    ink = np.asarray(mask, np.bool_).view(np.uint8)
     box = _box(EXTENT * diagonal)
+    if not _may_be_dense(ink, SPACING * diagonal, EXTENT * diagonal):
+        return mask
     closed = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, _box(SPACING * diagonal))
     core = cv2.erode(closed, box)
     if not core.any():
@@ -60,6 +62,13 @@ def without_hatching(mask: Bools) -> Bools:
         edges[y : y + h, x : x + w] = _other_lines(ink[y : y + h, x : x + w], angle, 2.5 * SPACING * diagonal)
         result = result & (~inner | edges)
     return result
+
+
+def _may_be_dense(ink: Gray, spacing: float, extent: float) -> bool:
+    """Whether anything closes into an area, seen at a quarter of the size, where gaps are no wider than they are."""
+    coarse = cv2.dilate(ink, np.ones((4, 4), np.uint8))[::4, ::4]
+    closed = cv2.morphologyEx(coarse, cv2.MORPH_CLOSE, _box(spacing / 4 + 2.0))
+    return bool(cv2.erode(closed, np.ones((max(1, int(extent / 4) - 1),) * 2, np.uint8)).any())
 
 
 def _box(size: float) -> Gray:

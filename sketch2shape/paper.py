@@ -22,6 +22,8 @@ PALE = 100.0
 """Contrast below which a picture that is evenly covered is empty paper."""
 CLEAR_STEP = 1.12
 """Ratio of contrasts between neighbouring tiles, in order of contrast, that parts marks from ink."""
+SOLID = 0.93
+"""Share of ink on the lines of a band along the frame."""
 PARTS = 4
 """A mark must be in at least three of the PARTS x PARTS parts of a tile."""
 
@@ -47,6 +49,8 @@ def noise_of(contrast: Gray, on_page: Bools | None = None) -> float:
 
 def _median(values: Gray) -> float:
     """Median of bytes, between the levels."""
+    if 2 * int(cv2.countNonZero(values)) <= values.size:
+        return 0.0
     counts = np.cumsum(cv2.calcHist([values], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
     half = 0.5 * float(counts[-1])
     level = int(np.searchsorted(counts, half))
@@ -67,8 +71,9 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
     h, w = contrast.shape
     if min(h, w) < 8 * TILES:
         return 0.0
-    rows, columns = (np.arange(PARTS * TILES) * n // (PARTS * TILES) for n in (h, w))
-    highest = np.maximum.reduceat(np.maximum.reduceat(contrast, rows, axis=0), columns, axis=1).astype(np.float64)
+    rows, columns = (np.arange(PARTS * TILES + 1) * n // (PARTS * TILES) for n in (h, w))
+    strips = np.stack([contrast[top:bottom].max(axis=0) for top, bottom in itertools.pairwise(rows)])
+    highest = np.maximum.reduceat(strips, columns[:-1], axis=1).astype(np.float64)
     parts = highest.reshape(TILES, PARTS, TILES, PARTS).swapaxes(1, 2)
     tallest = np.sort(parts.reshape(TILES**2, PARTS**2), axis=1)[:, -3]  # a speck or two are no mark
     if on_page is not None:
@@ -77,6 +82,8 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
         if len(tallest) < TILES:
             return 0.0
     low, high = np.percentile(tallest, (12, 95))
+    if low == 0.0:
+        return 0.0
     if low > 0.86 * high:
         return 1.2 * float(high) if high < PALE else 0.0
     paper = np.sort(tallest[tallest < 1.6 * low + 4])
@@ -97,8 +104,11 @@ def without_bands(contrast: Gray, floor: float) -> Gray:
     floor    : contrast below which nothing is ink
     returns  : (h, w); `contrast` itself where there are none
     """
+    rims = (contrast[0], contrast[-1], contrast[:, 0], contrast[:, -1])
+    if not any(np.count_nonzero(rim > floor) > SOLID * len(rim) for rim in rims):
+        return contrast
     solid = np.asarray(contrast > floor)
-    rows, columns = solid.mean(axis=1) > 0.93, solid.mean(axis=0) > 0.93
+    rows, columns = solid.mean(axis=1) > SOLID, solid.mean(axis=0) > SOLID
     ends = [_leading(v) for v in (rows, rows[::-1], columns, columns[::-1])]
     least = max(8, max(contrast.shape) // 100)
     if max(ends) < least:

@@ -10,12 +10,16 @@ from sketch2shape.model import Bools
 
 def pen_width_of(mask: Bools) -> float:
     """Typical stroke width, pixels: median over the ridge of the distance transform; 1 without ink."""
-    if not mask.any():
+    ink = np.asarray(mask, np.bool_).view(np.uint8)
+    x, y, w, h = cv2.boundingRect(ink)
+    if not w:
         return 1.0
-    padded = cv2.copyMakeBorder(mask.astype(np.uint8), 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
+    padded = cv2.copyMakeBorder(ink[y : y + h, x : x + w], 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
     distance = cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5)
-    ridge = (distance >= cv2.dilate(distance, np.ones((3, 3), np.uint8))) & (padded > 0)
-    return max(1.0, 2.0 * float(np.median(distance[ridge])) - 0.7)
+    peak = cv2.dilate(distance, np.ones((3, 3), np.uint8))
+    where = np.flatnonzero(np.asarray(padded, np.uint8).view(np.bool_))
+    inside = distance.ravel()[where]
+    return max(1.0, 2.0 * float(np.median(inside[inside >= peak.ravel()[where]])) - 0.7)
 
 
 def rough_pen_width(mask: Bools) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,6 +18,8 @@ Pixels = NDArray[np.uint8]
 
 _INTEGERS = "an array (h, w), (h, w, 3) or (h, w, 4) of uint8; for floats in 0..1: (a * 255).astype('uint8')"
 
+#: EXIF tag of the side that is up
+_ORIENTATION = 0x0112
 #: ink on transparency counts as light if its mean luminance is above this ...
 _LIGHT = 160
 #: ... and no more than this part of it is darker than mid-grey (else it is white paper with a dark drawing on it)
@@ -35,12 +38,12 @@ def from_image(image: Image) -> Pixels:
         image = _grey(image)
     elif image.mode in ("LA", "PA", "La", "RGBA", "RGBa") or "transparency" in image.info:
         image = image.convert("RGBA")
-    elif image.mode != "L":
+    elif image.mode not in ("L", "RGB"):
         image = image.convert("RGB")
     image = _upright(image)
     pixels = np.asarray(image)
     if pixels.ndim == 2:
-        return np.repeat(pixels[:, :, None], 3, axis=2)
+        return np.asarray(cv2.cvtColor(pixels, cv2.COLOR_GRAY2RGB), dtype=np.uint8)
     return over_ground(pixels) if pixels.shape[2] == 4 else np.ascontiguousarray(pixels)
 
 
@@ -49,7 +52,7 @@ def _upright(image: Image) -> Image:
     from PIL import ImageOps
 
     try:
-        return ImageOps.exif_transpose(image)
+        return image if image.getexif().get(_ORIENTATION, 1) == 1 else ImageOps.exif_transpose(image)
     except Exception:  # a stranger's EXIF can fail in any way
         return image
 

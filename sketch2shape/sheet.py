@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.pieces import Pieces, connected_pieces
 
 MARGIN = 8
 SMALLEST = 0.12
@@ -40,66 +41,78 @@ class Group:
 
 def split_groups(ink: Ink, most: int = 12) -> list[Group]:
     """Groups of the sheet that could be objects, the largest first."""
-    mask = ink.mask.astype(np.uint8)
-    count, label, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
-    if count < 2:
+    mask = np.asarray(ink.mask, np.bool_).view(np.uint8)
+    left, top, width, height = cv2.boundingRect(mask)
+    if not width:
         return []
-    owner = _owners(mask, label, ink.pen_width)
-    extent = {g: _box(stats, owner, g) for g in np.unique(owner[1:])}
-    size = {g: float(np.hypot(x1 - x0, y1 - y0)) for g, (x0, y0, x1, y1) in extent.items()}
+    frame = (slice(top, top + height), slice(left, left + width))
+    part = replace(ink, mask=ink.mask[frame], strength=ink.strength[frame])
+    pieces = connected_pieces(mask[frame])
+    owner = _owners(mask[frame], pieces, ink.pen_width)
+    boxes = {int(g): _box(pieces, owner == g) for g in np.unique(owner[1:])}
+    size = {g: float(np.hypot(x1 - x0, y1 - y0)) for g, (x0, y0, x1, y1) in boxes.items()}
     largest = max(size.values())
     names = sorted((g for g in size if size[g] >= max(SMALLEST * largest, 12.0)), key=lambda g: -size[g])
-    return [_cut(ink, label, stats, owner, g, extent[g], size[g]) for g in names[:most]]
+    corner = np.array([left, top], float)
+    return [_cut(part, corner, pieces, owner == g, boxes[g]) for g in names[:most]]
 
 
-def _owners(mask: NDArray[Any], label: NDArray[Any], pen: float) -> Ints:
+def _owners(mask: NDArray[Any], pieces: Pieces, pen: float) -> Ints:
     """Group of every connected piece: pieces that nearly touch, then groups inside another's outline."""
-    ys, xs = np.nonzero(mask)
-    diagonal = float(np.hypot(np.ptp(xs), np.ptp(ys)))
-    gap = int(max(3 * pen + 3, 0.012 * diagonal))
+    gap = int(max(3 * pen + 3, 0.012 * float(np.hypot(mask.shape[0] - 1, mask.shape[1] - 1))))
     grown = cv2.dilate(mask, np.ones((gap, gap), np.uint8))
-    _, joined = cv2.connectedComponents(grown, connectivity=8)
-    owner = np.zeros(int(label.max()) + 1, np.intp)
-    owner[label[ys, xs]] = joined[ys, xs]
-    names, sizes = np.unique(joined[ys, xs], return_counts=True)
-    points = {int(g): np.c_[xs, ys][joined[ys, xs] == g] for g in names[np.argsort(-sizes)][:24]}
-    ranked = sorted(points, key=lambda g: -float(np.linalg.norm(np.ptp(points[g], axis=0))))
+    count, joined = cv2.connectedComponents(grown, connectivity=8)
+    owner = np.zeros(len(pieces.low), np.intp)
+    first = np.array([outline[0, 0] for outline in pieces.outlines])
+    owner[pieces.owner] = joined[first[:, 1], first[:, 0]]
+    return owner if count == 2 else _with_inner(owner, pieces)
+
+
+def _with_inner(owner: Ints, pieces: Pieces) -> Ints:
+    """`owner` with every group that lies inside another's convex hull given to that one; of the largest groups."""
+    boxes = {int(g): _box(pieces, owner == g) for g in np.unique(owner[1:])}
+    ranked = sorted(boxes, key=lambda g: -float(np.hypot(boxes[g][2] - boxes[g][0], boxes[g][3] - boxes[g][1])))[:24]
+    group_of = owner[pieces.owner]
     for k, outer in enumerate(ranked):
-        hull = cv2.convexHull(points[outer].astype(np.int32))
+        left, top, right, bottom = boxes[outer]
+        hull = None
         for inner in ranked[k + 1 :]:
-            low, high = points[inner].min(axis=0), points[inner].max(axis=0)
-            box = [(low[0], low[1]), (high[0], low[1]), (low[0], high[1]), (high[0], high[1])]
-            if all(cv2.pointPolygonTest(hull, (float(x), float(y)), False) >= 0 for x, y in box):
-                owner[owner == inner] = outer
+            x0, y0, x1, y1 = boxes[inner]
+            if x0 < left or y0 < top or x1 > right or y1 > bottom:
+                continue
+            if hull is None:
+                hull = cv2.convexHull(np.concatenate([pieces.outlines[i] for i in np.flatnonzero(group_of == outer)]))
+            corners = [(x0, y0), (x1 - 1, y0), (x0, y1 - 1), (x1 - 1, y1 - 1)]
+            if all(cv2.pointPolygonTest(hull, (float(x), float(y)), False) >= 0 for x, y in corners):
+                owner = np.where(owner == inner, outer, owner)
     return owner
 
 
-def _box(stats: NDArray[Any], owner: Ints, group: int) -> tuple[int, int, int, int]:
-    own = stats[1:][owner[1:] == group]
-    x, y, w, h = (own[:, k] for k in range(4))
-    return int(x.min()), int(y.min()), int((x + w).max()), int((y + h).max())
+def _box(pieces: Pieces, mine: Bools) -> tuple[int, int, int, int]:
+    """Left, top, right and bottom of some pieces; right and bottom are one pixel further."""
+    own = np.flatnonzero(mine[1:]) + 1
+    (x0, y0), (x1, y1) = pieces.low[own].min(axis=0).tolist(), pieces.high[own].max(axis=0).tolist()
+    return x0, y0, x1 + 1, y1 + 1
 
 
-def _cut(
-    ink: Ink,
-    label: NDArray[Any],
-    stats: NDArray[Any],
-    owner: Ints,
-    group: int,
-    box: tuple[int, int, int, int],
-    size: float,
-) -> Group:
+def _cut(ink: Ink, corner: Floats, pieces: Pieces, mine: Bools, box: tuple[int, int, int, int]) -> Group:
+    """The pieces that are `mine`, out of ink whose first pixel lies at `corner` of the sheet."""
     x0, y0, x1, y1 = box
-    mine = owner == group
+    size = float(np.hypot(x1 - x0, y1 - y0))
     mine[0] = False
-    part = label[y0:y1, x0:x1]
-    large = mine & (np.hypot(stats[:, 2], stats[:, 3]) >= CLUTTER * size)
-    pad = ((MARGIN, MARGIN), (MARGIN, MARGIN))
-    mask = np.pad(mine[part], pad)
-    strength = np.pad(ink.strength[y0:y1, x0:x1], pad) * mask
+    part = pieces.label[y0:y1, x0:x1]
+    large = mine & (pieces.extent >= CLUTTER * size)
+    mask = mine[part]
+    strength = _framed(np.asarray(ink.strength[y0:y1, x0:x1] * mask, np.float32))
     return Group(
-        replace(ink, mask=mask, strength=strength),
-        np.array([x0 - MARGIN, y0 - MARGIN], float),
-        np.pad(large[part], pad),
+        replace(ink, mask=_framed(mask.view(np.uint8)).view(np.bool_), strength=strength),
+        corner + [x0 - MARGIN, y0 - MARGIN],
+        _framed(large[part].view(np.uint8)).view(np.bool_),
         size,
     )
+
+
+def _framed(plane: NDArray[Any]) -> NDArray[Any]:
+    """With an empty margin around it."""
+    framed = cv2.copyMakeBorder(plane, MARGIN, MARGIN, MARGIN, MARGIN, cv2.BORDER_CONSTANT, value=0)
+    return np.asarray(framed, dtype=plane.dtype)

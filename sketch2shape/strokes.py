@@ -64,16 +64,14 @@ def thin(ink: Ink) -> Skeleton:
     """Skeleton of the ink, split into its branches."""
     from skimage.morphology import skeletonize
 
-    mask = skeletonize(ink.mask).astype(np.uint8)  # type: ignore[no-untyped-call]
+    mask = np.asarray(skeletonize(ink.mask), np.uint8)  # type: ignore[no-untyped-call]
     # one pixel of margin lets the neighbour count and the contours treat border pixels like all others
-    padded = cv2.copyMakeBorder(mask, 1, 1, 1, 1, cv2.BORDER_CONSTANT)
-    neighbours = cv2.filter2D(padded, cv2.CV_8U, np.ones((3, 3), np.uint8), borderType=cv2.BORDER_CONSTANT) - padded
-    junction = (padded == 1) & (neighbours > 2)
-    branches = padded.copy()
-    branches[junction] = 0
-    paths = _ordered_paths(branches)
-    ys, xs = np.nonzero(mask)
-    distance = cv2.distanceTransform(1 - mask, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    branches = cv2.copyMakeBorder(mask, 1, 1, 1, 1, cv2.BORDER_CONSTANT)
+    around = cv2.boxFilter(branches, cv2.CV_8U, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    branches[around > 3] = 0  # junctions; whatever else has so many around is empty already
+    paths = _ordered_paths(np.asarray(branches, np.uint8))
+    ys, xs = np.divmod(np.flatnonzero(mask.view(np.bool_)), mask.shape[1])
+    distance = np.asarray(cv2.distanceTransform(1 - mask, cv2.DIST_L2, cv2.DIST_MASK_5), dtype=np.float32)
     return Skeleton(mask, np.c_[xs, ys].astype(float), distance, tuple(p - 1.0 for p in paths), ink.pen_width)
 
 
@@ -84,17 +82,23 @@ def _ordered_paths(branches: NDArray[np.uint8]) -> list[Floats]:
     the path.
     """
     contours, _ = cv2.findContours(branches, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    if not contours:
+        return []
+    points = np.concatenate(contours)[:, 0].astype(float)
+    ends = np.cumsum([len(c) for c in contours])
+    starts = ends - [len(c) for c in contours]
+    before, after = np.arange(len(points)) - 1, np.arange(len(points)) + 1
+    before[starts], after[ends - 1] = ends - 1, starts
+    turns = np.flatnonzero((points[before] == points[after]).all(axis=1))
+    first, last = np.searchsorted(turns, starts), np.searchsorted(turns, ends)
     paths = []
-    for contour in contours:
-        points = contour[:, 0, :].astype(float)
-        if len(points) > 2:
-            before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
-            turns = np.flatnonzero((before == after).all(axis=1))
-            if len(turns) >= 2:
-                points = points[turns[0] : turns[1] + 1]
-            elif len(turns) == 1:
-                points = np.roll(points, -int(turns[0]), axis=0)[: len(points) // 2 + 1]
-        paths.append(points)
+    for start, end, i, j in zip(starts.tolist(), ends.tolist(), first.tolist(), last.tolist(), strict=True):
+        path = points[start:end]
+        if end - start > 2 and j - i >= 2:
+            path = points[turns[i] : turns[i + 1] + 1]
+        elif end - start > 2 and j - i == 1:
+            path = np.roll(path, start - int(turns[i]), axis=0)[: len(path) // 2 + 1]
+        paths.append(path)
     return paths
 
 
