@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from markdown_table import table
 
 from sketch2shape.synthetic import metrics
 
@@ -52,11 +53,6 @@ def _sets(outcomes: list[Outcome]) -> list[str]:
     return list(dict.fromkeys(o["set"] for o in outcomes))
 
 
-def _table(head: list[str], rows: list[list[str]]) -> str:
-    lines = ["| " + " | ".join(r) + " |" for r in [head, ["---", *["---:"] * (len(head) - 1)], *rows]]
-    return "\n".join(lines) + "\n"
-
-
 def _percent(part: float, whole: float) -> str:
     return f"{100 * part / whole:.1f}" if whole else "-"
 
@@ -73,7 +69,7 @@ HEAD = ["", "n", "exact %", "mesh %", "solid %", "answered %", "p50 ms", "p95 ms
 
 def summary_table(outcomes: list[Outcome]) -> str:
     """One row a set."""
-    return _table(HEAD, [_row(name, [o for o in outcomes if o["set"] == name]) for name in _sets(outcomes)])
+    return table(HEAD, [_row(name, [o for o in outcomes if o["set"] == name]) for name in _sets(outcomes)])
 
 
 def category_table(group: list[Outcome]) -> str:
@@ -81,7 +77,7 @@ def category_table(group: list[Outcome]) -> str:
     by = collections.defaultdict(list)
     for o in group:
         by[o["truth"]["category"]].append(o)
-    return _table(HEAD, [*(_row(c, by[c]) for c in sorted(by)), _row("**all**", group)])
+    return table(HEAD, [*(_row(c, by[c]) for c in sorted(by)), _row("**all**", group)])
 
 
 def field_table(outcomes: list[Outcome]) -> str:
@@ -110,7 +106,7 @@ def field_table(outcomes: list[Outcome]) -> str:
         " distance (part of the diagonal) after similarity alignment, medians over exact answers whose depth the"
         " drawing fixes; largest vertex error in pixels, median over exact answers.\n"
     )
-    return note + "\n" + _table(head, rows)
+    return note + "\n" + table(head, rows)
 
 
 def reliability(outcomes: list[Outcome], picture: Path) -> str:
@@ -135,7 +131,7 @@ def reliability(outcomes: list[Outcome], picture: Path) -> str:
     high = sure[sure[:, 0] >= 0.9]
     text = f"Of {len(high)} answers with confidence 0.9 or more, {_percent(high[:, 1].sum(), len(high))} % are right.\n"
     _diagram(sure, len(outcomes), picture)
-    return f"{text}\n![reliability]({picture.name})\n\n" + _table(["confidence", "answers", "right %"], rows)
+    return f"{text}\n![reliability]({picture.name})\n\n" + table(["confidence", "answers", "right %"], rows)
 
 
 def _diagram(sure: np.ndarray[Any, Any], asked: int, picture: Path) -> None:
@@ -168,13 +164,13 @@ def failures(outcomes: list[Outcome], sheets: list[Path], folder: Path) -> str:
     if not wrong:
         return "None.\n"
     kinds = collections.Counter((o["set"], kind_of(o)) for o in wrong)
-    text = _table(["what happened", "set", "drawings"], [[k, s, str(n)] for (s, k), n in kinds.most_common()])
+    text = table(["what happened", "set", "drawings"], [[k, s, str(n)] for (s, k), n in kinds.most_common()])
     text += "\nTruth in green, the answer's front face red, back face and connecting edges blue.\n"
     text += "\n".join(f"\n![failures]({s.relative_to(folder).as_posix()})" for s in sheets) + "\n\n"
     rows = [
         [f"{o['set']}: {o['id']}", o["truth"].get("profile", ""), o["cause"], f"{o['confidence']:.2f}"] for o in wrong
     ]
-    return text + _table(["drawing", "profile", "cause", "confidence"], rows)
+    return text + table(["drawing", "profile", "cause", "confidence"], rows)
 
 
 def kind_of(outcome: Outcome) -> str:

@@ -30,7 +30,7 @@ def reconstruct(source, *, limits=None, **_):
 
 
 def work(task):
-    """`convert`, but a picture named crash, hang, hog or bug does just that."""
+    """`convert`, but a picture named crash, hang, hog or bug does just that, and one named gate waits for a file."""
     misbehave(task.name)
     with patch("sketch2shape.reconstruct.reconstruct", reconstruct):
         return convert(task)
@@ -66,3 +66,6 @@ def misbehave(name):
         raise ZeroDivisionError("oh no")
     if "slow" in name:
         time.sleep(0.2)
+    if "gate" in name:
+        while not os.path.exists("open"):
+            time.sleep(0.01)

@@ -38,7 +38,7 @@ class WorkerPool:
     """Worker processes that are replaced when they fail."""
 
     def __init__(self, workers: int = 2, *, most_waiting: int = 16, memory: int = 4 * 2**30) -> None:
-        """Start `workers` processes of at most `memory` bytes each; refuse work beyond `most_waiting` tasks."""
+        """Start `workers` processes, each with `memory` bytes for its work; refuse more than `most_waiting` tasks."""
         self._workers, self._memory, self._most, self._count = workers, memory, most_waiting, 0
         self._pool = self._start()
 
@@ -90,16 +90,15 @@ class WorkerPool:
 
 
 def _prepare(memory: int) -> None:
-    """In a new worker: limit its memory where the system can, leave Ctrl-C to the app, load what all work needs."""
+    """In a new worker: leave Ctrl-C to the app, load what all work needs, then limit what a picture may take."""
+    import os
     import signal
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        import resource
+    from sketch2shape.batch.worker import limit_memory
 
-        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
-    except (ImportError, ValueError, OSError):  # no such limit on this system
-        pass
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # it takes memory for each of the cores
     import sketch2shape.ui.jobs as jobs
 
     jobs.warm_up()
+    limit_memory(memory)

@@ -32,7 +32,7 @@ def cluster(tmp_path):
     processes = [subprocess.Popen([*dask, *common], **quiet)]
     worker = [sys.executable, "-m", "distributed.cli.dask_worker", "--nthreads", "1", "--no-nanny"]
     processes += [subprocess.Popen([*worker, *common], **quiet) for _ in range(2)]
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 120
     while not note.exists() and time.monotonic() < deadline:
         time.sleep(0.05)
     yield json.loads(note.read_text())["address"], processes[1:]
@@ -53,15 +53,21 @@ def here(tmp_path, monkeypatch):
 def test_a_killed_worker_costs_nothing(here, cluster):
     address, workers = cluster
 
+    over = threading.Event()
+
     def kill_one():
-        while not os.path.exists("out/slow02.obj"):
-            time.sleep(0.02)
+        while not os.path.exists("out/slow02.obj") and not over.wait(0.02):
+            pass
         workers[0].send_signal(signal.SIGKILL)
 
     killer = threading.Thread(target=kill_one)
     killer.start()
-    assert run(parse(["in", "-o", "out", "--json", "--scheduler", address]), stand_in.work) == 3
-    killer.join()
+    try:
+        assert run(parse(["in", "-o", "out", "--json", "--scheduler", address]), stand_in.work) == 3
+        assert os.path.exists("out/slow02.obj")
+    finally:
+        over.set()
+        killer.join()
     assert run(parse(["in", "-o", "alone", "--json", "--jobs", "2"]), stand_in.work) == 3
     assert contents("out") == contents("alone")
     assert len(contents("out")) == 40

@@ -44,14 +44,14 @@ def spans(points):
     return np.linalg.matrix_rank(a - a[0]) == 2
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(grid.filter(spans))
 def test_vector_form_is_the_literal_walk(points):
     # columns of three and more vertices on a small grid: entries, exits and order of every column count
     assert connect(points, "split-walk").tolist() == literal(points)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(grid.filter(spans))
 def test_the_x_split_is_the_y_split_of_exchanged_axes(points):
     exchanged = [(y, x) for x, y in points]
@@ -125,7 +125,7 @@ def ring_strategy():
     return grid.filter(spans)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(ring_strategy(), st.randoms(use_true_random=False))
 def test_preconditions_hold_exactly_when_the_walk_gives_the_ring(points, random):
     array = np.array(points, float)

@@ -21,7 +21,9 @@ def prism(rings, depth=20.0, scale=1.0, unit="mm"):
 
 def read_back(data, tmp_path):
     """Solids in a STEP file: (valid, volume, number of faces) of each."""
-    pytest.importorskip("OCP", reason="Open CASCADE (cadquery-ocp-novtk) reads STEP back and is not installed")
+    pytest.importorskip(
+        "OCP", exc_type=ImportError, reason="Open CASCADE (cadquery-ocp-novtk) reads STEP back and is not installed"
+    )
     from OCP.BRepCheck import BRepCheck_Analyzer
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps

@@ -18,4 +18,4 @@ def start_app(*options: str) -> Iterator[str]:
             yield next(word for word in line.split() if word.startswith("http://"))
         finally:
             process.terminate()
-            process.wait(20)
+            process.wait(60)
