@@ -38,7 +38,7 @@ def noise_of(contrast: Gray, on_page: Bools | None = None) -> float:
     if on_page is None:
         return 1.85 * float(_median(rough))
     h, w = contrast.shape
-    rows, columns = np.linspace(0, h, 6).astype(int), np.linspace(0, w, 6).astype(int)
+    rows, columns = (np.unique(np.linspace(0, side, 6).astype(int)) for side in (h, w))
     medians = []
     for top, bottom in itertools.pairwise(rows):
         for left, right in itertools.pairwise(columns):

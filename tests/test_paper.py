@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import warnings
+
 import cv2
 import numpy as np
 import pytest
@@ -99,3 +101,10 @@ def test_a_drawing_along_the_frame_stays(pen: int) -> None:
     image = np.full((300, 300), 255, np.uint8)
     image[:pen], image[-pen:], image[:, :pen], image[:, -pen:], image[100 : 100 + pen] = 0, 0, 0, 0, 0
     assert np.array_equal(find_ink(Picture(np.dstack([image] * 3))).mask, image == 0)
+
+
+def test_noise_is_measured_in_a_strip_of_few_rows():
+    strip = np.random.default_rng(1).integers(0, 256, (3, 900), np.uint8)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert noise_of(strip, np.ones(strip.shape, bool)) > 20
