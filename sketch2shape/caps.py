@@ -151,13 +151,17 @@ def _pulled(ring: Floats, back: Floats, rungs: Rungs, graph: CornerGraph) -> Flo
 
     Back vertices without a rung follow from the map through those that have one. None if nothing moves.
     """
+    off = np.linalg.norm(back[rungs.vertex] - rungs.end, axis=1)
+    # of the rungs at one vertex the closest comes last and stays
+    order = np.argsort(-off, kind="stable")
+    order = order[off[order] < 2.5 * graph.tolerance]
+    if not len(order) or off[order].max() < 1.0:
+        return None
     pulled, seen = back.copy(), np.zeros(len(ring), bool)
-    best = np.full(len(ring), 2.5 * graph.tolerance)
-    for i, end in zip(rungs.vertex, rungs.end, strict=True):
-        off = float(np.linalg.norm(back[i] - end))
-        if off < best[i]:
-            best[i], pulled[i], seen[i] = off, end, True
-    if not seen.any() or best[seen].max() < 1.0:
+    pulled[rungs.vertex[order]] = rungs.end[order]
+    seen[rungs.vertex[order]] = True
+    best = np.linalg.norm(pulled - back, axis=1)
+    if best[seen].max() < 1.0:
         return None
     rest = ~seen
     if rest.any():
@@ -188,7 +192,8 @@ def _maps(ring: Floats, rungs: Rungs, graph: CornerGraph, most: int) -> Floats:
         off = np.linalg.norm(homology.apply(maps, src) - dst[None], axis=2)
     hits = off <= graph.tolerance
     kind = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
-    vertices = np.array([len(set(vertex[h].tolist())) for h in hits])
+    owner = (vertex[:, None] == np.arange(len(ring))).astype(np.float32)
+    vertices = ((hits.astype(np.float32) @ owner) > 0).sum(axis=1)
     # each further degree of freedom explains most of a rung for free
     order = np.argsort(-(vertices - 0.9 * kind), kind="stable")
     return maps[order[:most]]

@@ -81,21 +81,21 @@ def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
 
 def _meeting_point(ends: Floats, direction: Floats) -> Floats:
     """Least-squares intersection of the lines through the ends, held to the ends where they are nearly parallel."""
-    normal = np.c_[-direction[:, 1], direction[:, 0]]
-    weight = 0.02
-    a = normal.T @ normal + weight * np.eye(2) * len(ends)
-    b = normal.T @ (normal * ends).sum(axis=1) + weight * ends.sum(axis=0)
-    # the pull towards the ends is only there to tame parallel lines: take it out again where the system is sound
-    point = np.linalg.solve(a, b)
-    exact = normal.T @ normal
-    if np.linalg.det(exact) > 0.02 * len(ends) ** 2 / 4:
-        point = np.linalg.solve(exact, normal.T @ (normal * ends).sum(axis=1))
-    return np.asarray(point)
+    k = len(ends)
+    x, y = -direction[:, 1], direction[:, 0]
+    c = x * ends[:, 0] + y * ends[:, 1]
+    xx, yy, xy, xc, yc = float(x @ x), float(y @ y), float(x @ y), float(x @ c), float(y @ c)
+    if xx * yy - xy * xy <= 0.02 * k * k / 4:
+        # a pull towards the ends tames parallel lines
+        weight = 0.02
+        px, py = ends.sum(axis=0).tolist()
+        xx, yy, xc, yc = xx + weight * k, yy + weight * k, xc + weight * px, yc + weight * py
+    det = xx * yy - xy * xy
+    return np.array([(yy * xc - xy * yc) / det, (xx * yc - xy * xc) / det])
 
 
 def _cluster(ends: Floats, direction: Floats, lengths: Floats, tolerance: float, pen: float) -> Ints:
     """Label of the corner each end belongs to: the closest ends join first, as long as their lines still meet there."""
-    label = np.arange(len(ends))
     gap = np.linalg.norm(ends[:, None] - ends[None], axis=2)
     sine = np.abs(direction[:, None, 0] * direction[None, :, 1] - direction[:, None, 1] * direction[None, :, 0])
     base = 4 + 1.2 * pen + 2 * tolerance
@@ -103,15 +103,19 @@ def _cluster(ends: Floats, direction: Floats, lengths: Floats, tolerance: float,
     reach = np.minimum(reach, 0.5 * np.minimum(lengths[:, None], lengths[None]) + base)
     other = np.arange(len(ends)) // 2
     i, j = np.nonzero(np.triu((gap <= reach) & (other[:, None] != other[None]), 1))
-    for k in np.argsort(gap[i, j], kind="stable"):
-        a, b = label[i[k]], label[j[k]]
+    order = np.argsort(gap[i, j], kind="stable")
+    label = list(range(len(ends)))
+    members = {k: [k] for k in label}
+    for p, q, far in zip(i[order].tolist(), j[order].tolist(), reach[i, j][order].tolist(), strict=True):
+        a, b = label[p], label[q]
         if a == b:
             continue
-        members = np.flatnonzero((label == a) | (label == b))
-        distinct = len(set(other[members])) == len(members)
-        if distinct and _meet(ends[members], direction[members], reach[i[k], j[k]], base):
-            label[members] = a
-    return label
+        both = members[a] + members[b]
+        if len({k // 2 for k in both}) == len(both) and _meet(ends[both], direction[both], far, base):
+            for k in members.pop(b):
+                label[k] = a
+            members[a] = both
+    return np.array(label)
 
 
 def _meet(ends: Floats, direction: Floats, reach: float, slack: float) -> bool:

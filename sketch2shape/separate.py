@@ -19,6 +19,8 @@ from sketch2shape import homology
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.rings import Rings
 
+LIKELY_MAPS = 400
+"""Maps looked at closely, those that carry the most rungs."""
 MOST_RUNGS = 3000
 """A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
 
@@ -59,9 +61,8 @@ def ladders(graph: CornerGraph, most: int = 12) -> Iterator[Ladder]:
     links = _links(graph, rungs)
     seen: set[bytes] = set()
     for guess in (_from_one, _from_two, _from_three):
-        maps = guess(graph, rungs, links)
-        found = [_close(graph, rungs, links, h) for h in _best_maps(graph, rungs, links, maps, 2 * most)]
-        rich = sorted((x for x in found if x is not None), key=lambda x: -len(x.rungs))
+        maps = _best_maps(graph, rungs, links, guess(graph, rungs, links), 2 * most)
+        rich = sorted(_closed(graph, rungs, links, maps), key=lambda x: -len(x.rungs))
         for ladder in rich[:most]:
             key = ladder.rungs.tobytes()
             if key not in seen:
@@ -153,60 +154,85 @@ def _matches(graph: CornerGraph, rungs: Ints, maps: Floats) -> Bools:
 def _best_maps(graph: CornerGraph, rungs: Ints, links: Bools, maps: Floats, most: int) -> Floats:
     """The maps with the most linked rungs, one of each kind."""
     hits = _matches(graph, rungs, maps)
+    likely = np.argsort(-hits.sum(axis=1), kind="stable")[:LIKELY_MAPS]
+    hits = hits[likely]
     linked = hits & ((hits.astype(np.float32) @ links.astype(np.float32)) >= 2)
     starts = np.zeros((len(rungs), len(graph.points)), np.float32)
     starts[np.arange(len(rungs)), rungs[:, 0]] = 1
     count = ((linked.astype(np.float32) @ starts) > 0).sum(axis=1)
-    order = np.argsort(-count, kind="stable")
+    keys = np.packbits(linked, axis=1)
     kept: list[int] = []
     seen: set[bytes] = set()
-    for k in order:
+    for k in np.argsort(-count, kind="stable"):
         if count[k] < 3 or len(kept) >= most:
             break
-        key = np.packbits(linked[k]).tobytes()
+        key = keys[k].tobytes()
         if key not in seen:
             seen.add(key)
-            kept.append(int(k))
+            kept.append(int(likely[k]))
     return maps[kept]
 
 
-def _close(graph: CornerGraph, rungs: Ints, links: Bools, h: Floats) -> Ladder | None:
-    """Refit the map to all its rungs, take its rungs again, and drop those that cannot be part of a cycle."""
+def _closed(graph: CornerGraph, rungs: Ints, links: Bools, maps: Floats) -> list[Ladder]:
+    """Refit each map to all its rungs, take its rungs again, and drop those that cannot be part of a cycle."""
     for _ in range(2):
-        mine = _prune(np.flatnonzero(_matches(graph, rungs, h[None])[0]), links)
-        if len(mine) < 3:
-            return None
-        h = _refit(graph, rungs[mine], h)
-    mine = _prune(np.flatnonzero(_matches(graph, rungs, h[None])[0]), links)
-    if len(mine) < 3:
-        return None
-    return Ladder(h, rungs[mine], links[np.ix_(mine, mine)])
+        mine = _pruned(_matches(graph, rungs, maps), links)
+        some = mine.sum(axis=1) >= 3
+        maps, mine = maps[some], mine[some]
+        maps = _refitted(graph, rungs, mine, maps)
+    mine = _pruned(_matches(graph, rungs, maps), links)
+    index = [np.flatnonzero(own) for own in mine]
+    return [Ladder(h, rungs[i], links[np.ix_(i, i)]) for h, i in zip(maps, index, strict=True) if len(i) >= 3]
 
 
-def _prune(mine: Ints, links: Bools) -> Ints:
-    """Without rungs that have fewer than two neighbours, again and again."""
-    while len(mine):
-        ok = links[np.ix_(mine, mine)].sum(axis=1) >= 2
-        if ok.all():
-            break
-        mine = mine[ok]
-    return mine
+def _pruned(mine: Bools, links: Bools) -> Bools:
+    """(maps, rungs), without rungs that have fewer than two neighbours, again and again."""
+    weights = links.astype(np.float32)
+    while True:
+        left = mine & ((mine.astype(np.float32) @ weights) >= 2)
+        if (left == mine).all():
+            return mine
+        mine = left
 
 
-def _refit(graph: CornerGraph, rungs: Ints, h: Floats) -> Floats:
-    """The simplest kind of map that fits these rungs."""
+def _refitted(graph: CornerGraph, rungs: Ints, mine: Bools, maps: Floats) -> Floats:
+    """For each map the simplest kind that fits its rungs, mine (maps, rungs)."""
     src, dst = graph.points[rungs[:, 0]], graph.points[rungs[:, 1]]
-    shift = dst - src
-    limit = (0.6 * graph.tolerance) ** 2
-    off = shift - shift.mean(axis=0)
-    if (off * off).sum(axis=1).max() <= limit:
-        return homology.translation(shift.mean(axis=0))
-    for fit in (homology.similarity, homology.homology)[: 1 + (len(rungs) >= 4)]:
-        fitted = fit(src, dst)
-        off = homology.apply(fitted, src) - dst
-        if (off * off).sum(axis=1).max() <= limit:
-            return fitted
-    return h
+    limit = 0.6 * graph.tolerance
+    fitted = maps.copy()
+    todo = np.arange(len(maps))
+    for fit in (_translations, _similarities, _homologies):
+        own = mine[todo]
+        found = fit(src, dst, own)
+        off = np.where(own, np.linalg.norm(homology.apply(found, src) - dst, axis=2), 0.0)
+        fits = off.max(axis=1, initial=0.0) <= limit
+        fitted[todo[fits]] = found[fits]
+        todo = todo[~fits]
+    return fitted
+
+
+def _translations(src: Floats, dst: Floats, mine: Bools) -> Floats:
+    weight = mine / mine.sum(axis=1, keepdims=True)
+    return homology.translation(weight @ (dst - src))
+
+
+def _similarities(src: Floats, dst: Floats, mine: Bools) -> Floats:
+    weight = mine / mine.sum(axis=1, keepdims=True)
+    p, q = weight @ src, weight @ dst
+    along = weight @ (src * dst).sum(axis=1) - (p * q).sum(axis=1)
+    within = weight @ (src * src).sum(axis=1) - (p * p).sum(axis=1)
+    scale = np.maximum(along / (within + 1e-12), 1e-3)
+    maps = homology.translation(q - scale[:, None] * p)
+    maps[:, 0, 0] = maps[:, 1, 1] = scale
+    return maps
+
+
+def _homologies(src: Floats, dst: Floats, mine: Bools) -> Floats:
+    """Identities, which fit nothing, where there are too few rungs."""
+    maps = np.tile(np.eye(3), (len(mine), 1, 1))
+    for k in np.flatnonzero(mine.sum(axis=1) >= 4):
+        maps[k] = homology.homology(src[mine[k]], dst[mine[k]])
+    return maps
 
 
 def likely_cycles(ladder: Ladder, graph: CornerGraph, budget: int) -> Iterator[Ints]:
