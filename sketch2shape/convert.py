@@ -153,8 +153,8 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
     try:
         begin = time.perf_counter()
         with quiet_stderr():
-            picture = read_picture(data, task.settings.limits, page=page, name=task.name)
-        size = (picture.pixels.shape[1], picture.pixels.shape[0])
+            picture = read_picture(data, task.settings.limits, page=page, name=task.name, reduced=True)
+        size = picture.size
         read_ms = (time.perf_counter() - begin) * 1000
         result = _reconstruct(picture, task.settings, read_ms)
         _write_all(task, result, written)

@@ -118,9 +118,8 @@ def corrected(picture: Picture, corrections: Corrections, options: LiftOptions |
     if not corrections.complete:
         raise _wrong("an object in the corrections has no faces")
     objects = cast("tuple[TwoFaceObject, ...]", tuple(shapes))
-    height, width = picture.pixels.shape[:2]
     solids = tuple(
-        lift(shape, picture_size=(width, height), options=lift_options(corrections, k, base))
+        lift(shape, picture_size=picture.size, options=lift_options(corrections, k, base))
         for k, shape in enumerate(objects)
     )
     return Result(objects, solids, picture)

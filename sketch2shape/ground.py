@@ -34,8 +34,7 @@ COLOUR_SHARE = 0.6
 class Ground:
     """The picture against its paper.
 
-    contrast : (h, w) uint8, 0 on the paper, 255 for the strongest possible ink
-    rgb      : (h, w, 3) uint8, the picture at working size
+    contrast : (h, w) uint8, at working size, 0 on the paper, 255 for the strongest possible ink
     paper    : (h/2, w/2) uint8 luminance of the paper without ink, or None where the ground is even
     even     : one ground colour all over the picture
     noise    : standard deviation of `contrast` on the paper
@@ -43,7 +42,6 @@ class Ground:
     """
 
     contrast: Gray
-    rgb: Gray
     paper: Gray | None
     even: bool
     noise: float
@@ -52,8 +50,9 @@ class Ground:
 
 def read_ground(pixels: Gray) -> Ground:
     """Bring (h, w, 3) RGB pixels to working size and measure their contrast against the paper."""
-    rgb, scale = at_working_size(pixels)
-    gray = _u8(cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY))
+    coloured = _is_coloured(pixels)
+    seen, scale = at_working_size(pixels if coloured else _gray(pixels))
+    gray = _gray(seen) if coloured else seen
     ground = _frame_level(gray)
     levels = _levels(gray[::2])
     clean = bool(levels[ground] > CLEAN * levels.sum())
@@ -61,7 +60,7 @@ def read_ground(pixels: Gray) -> Ground:
     dark = _is_dark(gray, levels, ground, even)
     beyond = levels[: max(0, ground - 24)] if dark else levels[ground + 25 :]
     even = even and bool(beyond.sum() < 0.2 * levels.sum())  # else the frame shows the table, and the page lies on it
-    planes = [_u8(p) for p in (gray, *cv2.split(rgb))] if _is_coloured(rgb) else [gray]
+    planes = [_u8(p) for p in (gray, *cv2.split(seen))] if coloured else [gray]
     if dark:
         planes = [_u8(cv2.bitwise_not(p)) for p in planes]
     papers = [] if even else [_uneven_paper(p) for p in planes]
@@ -75,22 +74,31 @@ def read_ground(pixels: Gray) -> Ground:
     noise = 0.0 if clean and even else noise_of(contrast)
     if noise > 3.0:
         contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
-    return Ground(contrast, rgb, None if even else papers[0], even, noise, scale)
+    return Ground(contrast, None if even else papers[0], even, noise, scale)
 
 
 def at_working_size(pixels: Gray) -> tuple[Gray, float]:
-    """(h, w, 3) RGB -> the same at working size, and working pixels per picture pixel.
+    """(h, w) or (h, w, 3) pixels -> the same at working size, and working pixels per picture pixel.
 
     Large pictures are averaged over areas so that hairlines pale instead of breaking; small ones are interpolated.
     """
+    scale = 1.0
+    while max(pixels.shape[:2]) > 2 * LONG_SIDE:  # halving is ten times as fast as averaging over parts of pixels
+        h, w = (max(1, n // 2) for n in pixels.shape[:2])
+        pixels = _u8(cv2.resize(pixels[: 2 * h, : 2 * w], (w, h), interpolation=cv2.INTER_AREA))
+        scale *= 0.5
     h, w = pixels.shape[:2]
     side = max(h, w)
     if SMALL_SIDE <= side <= LONG_SIDE:
-        return pixels, 1.0
-    scale = LONG_SIDE / side if side > LONG_SIDE else (3.0 if 2 * side < SMALL_SIDE else 2.0)
-    size = (max(1, round(w * scale)), max(1, round(h * scale)))
-    method = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
-    return _u8(cv2.resize(pixels, size, interpolation=method)), scale
+        return pixels, scale
+    factor = LONG_SIDE / side if side > LONG_SIDE else (3.0 if 2 * side < SMALL_SIDE else 2.0)
+    size = (max(1, round(w * factor)), max(1, round(h * factor)))
+    method = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
+    return _u8(cv2.resize(pixels, size, interpolation=method)), scale * factor
+
+
+def _gray(pixels: Gray) -> Gray:
+    return _u8(cv2.cvtColor(pixels, cv2.COLOR_RGB2GRAY))
 
 
 def _u8(array: NDArray[np.generic]) -> Gray:
@@ -138,9 +146,10 @@ def _frame_level(gray: Gray) -> int:
     return low + int(np.argmax(counts[low : middle + 3]))
 
 
-def _is_coloured(rgb: Gray) -> bool:
-    """Some pixels are clearly not grey."""
-    red, green, blue = cv2.split(rgb[::2])
+def _is_coloured(pixels: Gray) -> bool:
+    """Some pixels are clearly not grey; a sample of them is looked at."""
+    step = max(1, max(pixels.shape[:2]) // LONG_SIDE)
+    red, green, blue = cv2.split(pixels[:: 2 * step, ::step])
     tint = cv2.max(cv2.absdiff(red, green), cv2.absdiff(green, blue))
     return bool(cv2.countNonZero(cv2.threshold(tint, 50, 1, cv2.THRESH_BINARY)[1]) > 0.0005 * tint.size)
 

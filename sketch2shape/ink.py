@@ -39,19 +39,20 @@ def find_ink(picture: Picture) -> Ink:
     returns : `Ink` at working size; an empty mask where nothing was drawn
     """
     ground = read_ground(picture.pixels)
+    scale = ground.scale / picture.reduction
     contrast, noise, page, on_page = ground.contrast, ground.noise, None, None
     if ground.paper is not None:
         on_page, corners = find_page(ground.paper, ink_mask(contrast, max(FLOOR, 5.0 * noise)))
         if on_page is not None:
             contrast = np.where(on_page, contrast, np.uint8(0))
             noise = noise_of(contrast, on_page)
-        page = None if corners is None else _rectification(corners, ground.scale, picture)
+        page = None if corners is None else _rectification(corners, scale, picture)
     floor = max(FLOOR, 5.0 * noise, paper_marks(contrast, on_page))
     contrast = without_bands(contrast, floor)
     frame = _frame(contrast, floor)
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros(contrast.shape, np.float32)
     if frame is None:
-        return Ink(mask=mask, strength=strength, pen_width=1.0, scale=ground.scale, page=page)
+        return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     diagonal = float(np.hypot(*contrast.shape))
     part = without_fills(contrast[frame], floor, diagonal)
     ringing = ringing_of(part)
@@ -61,7 +62,7 @@ def find_ink(picture: Picture) -> Ink:
     inked = part[drawn]
     peak = float(np.percentile(inked, 90)) if len(inked) else 255.0
     strength[frame] = np.minimum(part * np.float32(1.0 / max(peak, 1.0)), 1.0)
-    return Ink(mask=mask, strength=strength, pen_width=pen_width_of(drawn), scale=ground.scale, page=page)
+    return Ink(mask=mask, strength=strength, pen_width=pen_width_of(drawn), scale=scale, page=page)
 
 
 def _frame(contrast: Gray, floor: float) -> tuple[slice, slice] | None:
@@ -83,8 +84,7 @@ def _above(contrast: Gray, floor: float) -> Gray:
 
 def _rectification(corners: Floats, scale: float, picture: Picture) -> Floats:
     """Homography of a page whose corners are given in working pixels."""
-    h, w = picture.pixels.shape[:2]
-    return page_homography((corners + 0.5) / scale - 0.5, np.array([w - 1, h - 1]) / 2)
+    return page_homography((corners + 0.5) / scale - 0.5, (np.array(picture.size) - 1) / 2)
 
 
 def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0) -> Bools:

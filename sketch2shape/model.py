@@ -24,12 +24,25 @@ Lines = Literal["wire", "dashed", "removed"]
 class Picture:
     """A decoded image.
 
-    pixels : (h, w, 3) uint8 RGB, EXIF orientation applied, transparency composited
-    source : name for messages and reports
+    pixels    : (h, w, 3) uint8 RGB, EXIF orientation applied, transparency composited
+    source    : name for messages and reports
+    full_size : (width, height) of the picture if the pixels are a reduced copy of it, else None
     """
 
     pixels: NDArray[np.uint8]
     source: str = "<array>"
+    full_size: tuple[int, int] | None = None
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of the picture, in whose pixels everything found in it is told."""
+        return self.full_size or (int(self.pixels.shape[1]), int(self.pixels.shape[0]))
+
+    @property
+    def reduction(self) -> int:
+        """Picture pixels along the side of each of `pixels`."""
+        height, width = self.pixels.shape[:2]
+        return round(max(self.size) / max(int(height), int(width)))
 
 
 @dataclass(frozen=True)

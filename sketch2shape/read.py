@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 R = TypeVar("R")
 
+ENOUGH = 960
+"""Long side down to which a reduced copy goes: about the working size of the ink."""
+
 #: format -> Pillow plugin module
 PLUGINS = {
     "PNG": "PngImagePlugin",
@@ -66,13 +69,17 @@ _PREFIXES = (
 _HEIF_BRANDS = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"mif1", b"msf1")
 
 
-def read_picture(source: Source, limits: Limits | None = None, *, page: int = 0, name: str | None = None) -> Picture:
+def read_picture(
+    source: Source, limits: Limits | None = None, *, page: int = 0, name: str | None = None, reduced: bool = False
+) -> Picture:
     """Read one picture, as a viewer would show it.
 
     source : path, encoded bytes, open binary file, PIL image, or array (h, w), (h, w, 3) or (h, w, 4) of integers or
              booleans; a Picture is returned as it is
     page   : page of a TIFF or PDF, from 0; an animation gives its first frame
     name   : what messages and reports call it; default: the path, or a word for the kind of source
+    reduced : decode a large JPEG no finer than the ink is looked for, in a fraction of the time; `Picture.size` is
+              that of the whole
 
     EXIF orientation is applied, palettes and CMYK become RGB, 16 bits are scaled to 8, transparency is composited over
     white (over black where the ink itself is light).
@@ -83,7 +90,10 @@ def read_picture(source: Source, limits: Limits | None = None, *, page: int = 0,
     if isinstance(source, Picture):
         return source
     label = name or source_name(source)
-    return Picture(_pixels(source, limits, page), label)
+    if not isinstance(source, str | os.PathLike | bytes | bytearray | memoryview) and not hasattr(source, "read"):
+        return Picture(_pixels(source, limits), label)
+    pixels, full_size = _decode(read_bytes(source, limits), limits, page, reduced)
+    return Picture(pixels, label, full_size)
 
 
 def read_pages(source: Source, limits: Limits | None = None, *, name: str | None = None) -> Iterator[Picture]:
@@ -109,9 +119,8 @@ def source_name(source: Source) -> str:
     return filename if isinstance(filename, str) and filename else f"<{type(source).__name__.lower()}>"
 
 
-def _pixels(source: Any, limits: Limits, page: int) -> Pixels:
-    if isinstance(source, str | os.PathLike | bytes | bytearray | memoryview) or hasattr(source, "read"):
-        return _decode(read_bytes(source, limits), limits, page)
+def _pixels(source: Any, limits: Limits) -> Pixels:
+    """Of what has been decoded already."""
     if hasattr(source, "__array_interface__") and not hasattr(source, "getbands"):
         return from_array(source, limits)
     if hasattr(source, "getbands"):
@@ -214,21 +223,27 @@ def count_pages(data: bytes) -> int:
     return int(_guarded(lambda: getattr(_open(data, name), "n_frames", 1)))
 
 
-def _decode(data: bytes, limits: Limits, page: int) -> Pixels:
+def _decode(data: bytes, limits: Limits, page: int, reduced: bool) -> tuple[Pixels, tuple[int, int] | None]:
+    """The pixels and, where they are a reduced copy, the width and height of the picture."""
     name = _format(data)
     if name in EXTRA:
         from sketch2shape.formats import decode_extra
 
-        return _guarded(lambda: from_image(decode_extra(name, data, limits, page)))
+        return _guarded(lambda: from_image(decode_extra(name, data, limits, page))), None
     if name == "WEBP":
         limits.check_size(*webp_size(data))
 
-    def decode() -> Pixels:
+    def decode() -> tuple[Pixels, tuple[int, int] | None]:
         image = _open(data, name)
         if page:
             image.seek(page)
         limits.check_size(*image.size)
-        return from_image(image)
+        full_size = image.size
+        if not (reduced and _reduce(image)):
+            return from_image(image), None
+        pixels = from_image(image)
+        upright = (pixels.shape[1] > pixels.shape[0]) == (full_size[0] > full_size[1])
+        return pixels, full_size if upright else full_size[::-1]
 
     return _guarded(decode)
 
@@ -241,6 +256,13 @@ def _open(data: bytes, name: str) -> Image:
 
     import_module(f"PIL.{PLUGINS[name]}")
     return Image.open(io.BytesIO(data), formats=[name])
+
+
+def _reduce(image: Image) -> bool:
+    """Have a large JPEG decoded at a half, a quarter or an eighth, by its cosine transform; whether that will be."""
+    w, h = image.size
+    step = next((s for s in (8, 4, 2) if max(w, h) >= s * ENOUGH), 1)
+    return step > 1 and min(w, h) >= step and image.draft(None, (w // step, h // step)) is not None
 
 
 def webp_size(data: bytes) -> tuple[int, int]:

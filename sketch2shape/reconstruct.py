@@ -59,7 +59,7 @@ def reconstruct(
     timings: dict[str, float] = {}
     options = lift or LiftOptions()
     with _timed(timings, "read"):
-        picture = read_picture(source, limits)
+        picture = read_picture(source, limits, reduced=True)
     if corrections is not None and corrections.complete:
         return corrected(picture, corrections, options)
     with _timed(timings, "ink"):
@@ -69,10 +69,9 @@ def reconstruct(
     sure = tuple(choose_front(o) for o in objects if o.confidence >= REFUSE_BELOW)
     if not sure:
         raise NoObjectError(_why_not(objects, ink))
-    height, width = picture.pixels.shape[:2]
     with _timed(timings, "lift"):
         solids = tuple(
-            lift_object(o, picture_size=(width, height), options=lift_options(corrections, k, options))
+            lift_object(o, picture_size=picture.size, options=lift_options(corrections, k, options))
             for k, o in enumerate(sure)
         )
     return Result(sure, solids, picture, timings)

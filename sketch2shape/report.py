@@ -33,8 +33,7 @@ def report(
     timings_ms : time of each stage; default: those of the result
     """
     if isinstance(answer, Result):
-        height, width = answer.picture.pixels.shape[:2]
-        size = (width, height) if width else size
+        size = answer.picture.size if answer.picture.pixels.size else size
         source = answer.picture.source if source is None else source
         timings_ms = answer.timings_ms if timings_ms is None else timings_ms
     error = answer.error if isinstance(answer, Result) else answer

@@ -48,4 +48,4 @@ def working_tolerance(ink: Ink, tolerance: float | None) -> float:
 
 def ink_of(source: Any) -> Ink:
     """The ink of whatever a stage was given: itself, or that of the picture."""
-    return source if isinstance(source, Ink) else find_ink(read_picture(source))
+    return source if isinstance(source, Ink) else find_ink(read_picture(source, reduced=True))

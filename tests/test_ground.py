@@ -66,6 +66,28 @@ def test_small_pictures_are_enlarged() -> None:
     assert pixels.shape == (300, 360, 3)
 
 
+@pytest.mark.parametrize("size", [(5001, 1703), (4000, 3000), (2300, 2301)])
+def test_what_lies_where_in_a_large_picture(size: tuple[int, int]) -> None:
+    w, h = size
+    gray = np.full((h, w), 255, np.uint8)
+    x, y = 3 * w // 4, 2 * h // 3
+    gray[y - 8 : y + 9, x - 8 : x + 9] = 0
+    small, scale = at_working_size(gray)
+    assert abs(max(small.shape) - 1100) <= 1
+    ys, xs = np.nonzero(small < 128)
+    assert (xs.mean() + 0.5) / scale - 0.5 == pytest.approx(x, abs=0.5 / scale)
+    assert (ys.mean() + 0.5) / scale - 0.5 == pytest.approx(y, abs=0.5 / scale)
+
+
+def test_ink_of_a_reduced_copy_is_told_in_pixels_of_the_whole() -> None:
+    image = np.full((750, 1000, 3), 255, np.uint8)
+    cv2.rectangle(image, (200, 150), (700, 600), (0, 0, 0), 3)
+    whole = find_ink(Picture(image))
+    found = find_ink(Picture(image, full_size=(4000, 3000)))
+    assert np.array_equal(found.mask, whole.mask)
+    assert found.scale == pytest.approx(whole.scale / 4)
+
+
 @pytest.mark.parametrize("shape", [(1, 1), (1, 300), (7, 3), (40, 2000)])
 @pytest.mark.parametrize("level", [0, 128, 255])
 def test_odd_shapes_have_no_ink_and_no_error(shape: tuple[int, int], level: int) -> None:

@@ -79,6 +79,38 @@ def test_exif_orientation_is_applied(orientation):
     assert (read_picture(encoded(stored, "PNG", exif=exif)).pixels == np.asarray(upright)).all()
 
 
+def large(width, height):
+    """A black bar from a quarter to a half of the width, at the middle of the height, on white."""
+    pixels = np.full((height, width, 3), 255, np.uint8)
+    pixels[height // 2 : height // 2 + 64, width // 4 : width // 2] = 0
+    return Image.fromarray(pixels)
+
+
+@pytest.mark.parametrize(("size", "step"), [((4001, 3003), 4), ((2000, 900), 2), ((1900, 900), 1), ((900, 8000), 8)])
+def test_large_jpegs_are_read_reduced_where_that_is_enough(size, step):
+    data = encoded(large(*size), "JPEG")
+    picture = read_picture(data, reduced=True)
+    assert picture.size == size
+    assert picture.reduction == step
+    assert picture.pixels.shape == (-(-size[1] // step), -(-size[0] // step), 3)
+    dark = np.flatnonzero(picture.pixels[(size[1] // 2 + 32) // step, :, 0] < 128)
+    ends = (dark[[0, -1]] + 0.5) * step - 0.5
+    assert np.abs(ends - [size[0] // 4, size[0] // 2 - 1]).max() <= step
+    assert read_picture(data).size == read_picture(data).pixels.shape[1::-1] == size
+
+
+def test_a_reduced_jpeg_is_turned_as_a_whole_one():
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    picture = read_picture(encoded(large(4000, 3000), "JPEG", exif=exif), reduced=True)
+    assert picture.size == (3000, 4000)
+    assert picture.pixels.shape == (1000, 750, 3)
+
+
+def test_only_jpegs_are_read_reduced():
+    assert read_picture(encoded(large(2400, 1000), "PNG"), reduced=True).pixels.shape == (1000, 2400, 3)
+
+
 def test_damaged_exif_does_not_hide_the_picture():
     assert read_picture(encoded(stroke(), "JPEG", exif=b"Exif\0\0garbage!")).pixels.shape == (30, 40, 3)
 

@@ -65,7 +65,7 @@ def _reconstruct(numbered: tuple[int, Any], limits: Limits, options: dict[str, A
         result = reconstruct(numbered[1], limits=limits, **options)
     except Exception as error:
         return as_known(error)
-    height, width = result.picture.pixels.shape[:2]
+    width, height = result.picture.size
     return _Answer(replace(result, picture=_white(result.picture.source, 0, 0)), (width, height))
 
 

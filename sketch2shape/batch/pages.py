@@ -71,6 +71,6 @@ def _thumbnail(path: str) -> Pixels | None:
     from sketch2shape.read import read_picture
 
     try:
-        return fit(read_picture(path).pixels, 600, 440)[0]
+        return fit(read_picture(path, reduced=True).pixels, 600, 440)[0]
     except Sketch2ShapeError:
         return None

@@ -73,10 +73,9 @@ def format_of(path: str | PurePath) -> str:
 def _drawing(result: Result, format: str) -> bytes:
     from sketch2shape.export.drawing import drawing_dxf, drawing_svg
 
-    height, width = result.picture.pixels.shape[:2]
     if format == "dxf":
         return drawing_dxf(result.objects, result.solids).encode()
-    return drawing_svg(result.objects, result.solids, (width, height)).encode()
+    return drawing_svg(result.objects, result.solids, result.picture.size).encode()
 
 
 def _obj(solids: Sequence[Solid], *, ngons: bool = False) -> bytes:

@@ -21,7 +21,7 @@ def overlay(result: Result, *, legend: bool = True) -> Pixels:
 
     Returns (h, w, 3) uint8 RGB; the longer side is kept between 720 and 2400 pixels.
     """
-    h, w = result.picture.pixels.shape[:2]
+    w, h = result.picture.size
     scale = np.clip(max(h, w), _SMALLEST, _LARGEST) / max(h, w)
     paled, _ = fit(pale(result.picture.pixels), round(w * scale), round(h * scale))
     h, w = paled.shape[:2]

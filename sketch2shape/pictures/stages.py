@@ -89,6 +89,7 @@ class _Frame:
     @classmethod
     def around(cls, result: Result, size: tuple[int, int]) -> _Frame:
         picture, scale = fit(result.picture.pixels, size[0], size[1])
+        scale /= result.picture.reduction
         h, w = picture.shape[:2]
         return cls(result, size, picture, scale, np.array([(size[0] - w) // 2, (size[1] - h) // 2], float))
 

@@ -32,7 +32,7 @@ def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
     from sketch2shape.read import read_picture
     from sketch2shape.reconstruct import reconstruct
 
-    picture = read_picture(data, name=name)
+    picture = read_picture(data, name=name, reduced=True)
     found: Result
     try:
         found = reconstruct(picture)
@@ -43,8 +43,8 @@ def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
     return {
         **_described(found),
         "name": name,
-        "width": picture.pixels.shape[1],
-        "height": picture.pixels.shape[0],
+        "width": picture.size[0],
+        "height": picture.size[1],
         "picture": _shown(picture.pixels),
         "stages": _stages(found),
         "corners": _rounded(detect_corners(picture).vertices[:_MOST_CORNERS]),

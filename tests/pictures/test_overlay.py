@@ -35,6 +35,15 @@ def test_a_hidden_edge_is_broken_and_a_visible_one_is_not(box: Result) -> None:
     assert strokes(280, 200, 290) > 4  # its lower one, behind the front
 
 
+def test_over_a_reduced_copy_the_object_lies_where_it_lies_over_the_whole(box: Result) -> None:
+    w, h = box.picture.size
+    reduced = Picture(np.ascontiguousarray(box.picture.pixels[::2, ::2]), full_size=(w, h))
+    whole, small = overlay(box), overlay(replace(box, picture=reduced))
+    assert whole.shape == small.shape
+    assert np.median(np.abs(whole.astype(int) - small)) == 0
+    assert np.abs(whole.astype(int) - small).mean() < 12
+
+
 def test_small_pictures_are_enlarged_and_huge_ones_reduced(box: Result, nothing: Result) -> None:
     assert max(overlay(nothing, legend=False).shape) == 720
     huge = replace(box, picture=Picture(np.full((3000, 4000, 3), 255, np.uint8)))
