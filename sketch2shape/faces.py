@@ -21,6 +21,7 @@ from sketch2shape.model import Floats, TwoFaceObject
 from sketch2shape.placing import as_object, to_working
 from sketch2shape.regions import enclosed_regions
 from sketch2shape.rings import Rings
+from sketch2shape.rounds import Round, corner_graph, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.shortlist import MOST_HYPOTHESES, verified
 from sketch2shape.strokes import Skeleton, thin
@@ -69,8 +70,8 @@ def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evi
     if len(skeleton.points) < 30:
         return
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
-    for tolerant in search.rounds_for(size, group.ink.pen_width):
-        sheet = search.sheet_for(group, skeleton, tolerant.reach)
+    for tolerant in rounds_for(size, group.ink.pen_width):
+        sheet = sheet_for(group, skeleton, tolerant.reach)
         best = 0.0
         for rings, evidence in verified(_hypotheses(group, skeleton, tolerant, corners), sheet):
             best = max(best, evidence.score)
@@ -79,12 +80,12 @@ def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evi
             return
 
 
-def _hypotheses(group: Group, skeleton: Skeleton, tolerant: search.Round, corners: Floats | None) -> Iterator[Rings]:
+def _hypotheses(group: Group, skeleton: Skeleton, tolerant: Round, corners: Floats | None) -> Iterator[Rings]:
     """From both separators: where all edges are drawn, and where the back is dashed or missing."""
     pen = group.ink.pen_width
     strokes = trace_skeleton(skeleton, tolerant.trace, group.solid)
-    points = search.vertex_candidates(strokes, tolerant, pen) if corners is None else corners
-    graph = search.corner_graph(skeleton, points, tolerant.reach)
+    points = vertex_candidates(strokes, tolerant, pen) if corners is None else corners
+    graph = corner_graph(skeleton, points, tolerant.reach)
     regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
     both: Iterable[Iterator[Rings]] = (search.wire_hypotheses(graph), caps(graph, regions, pen))
     return chain.from_iterable(islice(one, MOST_HYPOTHESES) for one in both)

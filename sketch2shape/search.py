@@ -10,22 +10,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import cv2
 import numpy as np
 
 from sketch2shape import caps, separate
-from sketch2shape.corners import crossings, join_ends
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, refine
-from sketch2shape.regions import Region, enclosed_regions
 from sketch2shape.rings import Rings, plausible, split
+from sketch2shape.rounds import Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
 from sketch2shape.simplify import simplified
-from sketch2shape.strokes import Skeleton, Strokes, coverage, thin, trace_strokes
-from sketch2shape.verify import Evidence, Sheet, is_dashed, judge, skeleton_sheet
+from sketch2shape.strokes import Skeleton, thin
+from sketch2shape.verify import Evidence, Sheet, is_dashed, judge
 
 GOOD = 0.98
 MOST_STEPS = 24000
@@ -33,6 +31,8 @@ MOST_STEPS = 24000
 PERFECT = 0.995
 COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
+UNSTEADY = 0.5
+"""Wobble of strokes, pixels, with which the round for ruled lines is left out."""
 RULED = 3.0
 """Reach of a round, pixels, up to which lines count as ruled."""
 LEAST_SCORE = 0.7
@@ -43,7 +43,6 @@ HOPELESS = 0.1
 """Refinement rarely gains more than this."""
 POOR = 0.8
 """A round whose best hypothesis scores less is refined only if no other round does better."""
-MOST_CORNERS = 120
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -69,54 +68,6 @@ class Found:
     def size(self) -> float:
         """Diagonal of the object's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
-
-
-@dataclass(frozen=True)
-class Round:
-    """How tolerant one round of the search is, pixels.
-
-    trace : how far a stroke may stray from its line before it counts as bent
-    reach : how far ink may lie from the straight line between two corners
-    loose : whether to try the shapes of regions alone, without corners
-    crossings : whether the crossing of two strokes may be a vertex too (two vertices may coincide)
-    """
-
-    trace: float
-    reach: float
-    loose: bool = False
-    crossings: bool = False
-
-
-def rounds_for(size: float, pen: float) -> list[Round]:
-    """From ruled lines to a heavy wobble. A wobbling stroke still ends in a sharp corner: fine tracing, wide reach.
-
-    A thick pen rounds corners and bends the skeleton near them in proportion to its width.
-    """
-    return [
-        Round(max(1.5, 0.08 * pen), max(2.0, 0.15 * pen)),
-        Round(max(1.5, 0.08 * pen), max(3.0, 0.2 * pen), crossings=True),
-        Round(max(1.5, 0.08 * pen), max(4.0, 0.011 * size, 0.3 * pen)),
-        Round(max(2.5, 0.006 * size, 0.15 * pen), max(4.0, 0.014 * size, 0.4 * pen), True),
-        Round(max(4.0, 0.012 * size, 0.25 * pen), max(6.0, 0.02 * size, 0.5 * pen), True),
-    ]
-
-
-def vertex_candidates(strokes: Strokes, tolerant: Round, pen: float) -> Floats:
-    """(k, 2) float, pixels: corners that can be vertices."""
-    corners = join_ends(strokes, pen)
-    across = crossings(strokes, tolerant.trace + 0.5 * pen, 2 if tolerant.crossings else 3)
-    return np.concatenate([corners.points[(corners.degree >= 2) | corners.on], across])[:MOST_CORNERS]
-
-
-def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> separate.CornerGraph:
-    """Vertex candidates (k, 2), and which of them have ink between them, at most reach pixels off."""
-    k = len(points)
-    i, j = np.triu_indices(k, 1)
-    share = coverage(skeleton.distance, points[i], points[j], reach)
-    apart = np.linalg.norm(points[i] - points[j], axis=1) > 2 * skeleton.pen_width
-    inked = np.zeros((k, k), bool)
-    inked[i, j] = inked[j, i] = (share > 0.9) & apart
-    return separate.CornerGraph(points, inked, 0.75 * skeleton.pen_width + 1.5 * reach + 1.5)
 
 
 def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
@@ -164,6 +115,7 @@ def find(group: Group) -> Found | None:
     best: Found | None = None
     poor: Attempt | None = None
     good_since = 99
+    before: list[Attempt] = []
     for k, attempt in enumerate(_attempts(group, skeleton)):
         if attempt.score >= POOR:
             best = _better(best, _best_of(attempt), 0.004 * k)
@@ -172,8 +124,9 @@ def find(group: Group) -> Found | None:
         # an answer that is good but not perfect has to hold against those of the next round
         if best is not None and (best.evidence.score >= PERFECT or k > good_since + _is_busy(best)):
             break
-        if best is None and attempt.score < 0.5 and len(attempt.traced.strokes.ends) > DENSE:
+        if (best is None and _is_scribble(attempt)) or _is_settled(attempt, before):
             break
+        before.append(attempt)
         if best is not None and best.evidence.score >= GOOD - 0.01 * k:
             good_since = min(good_since, k)
     if poor is not None and (best is None or best.evidence.score < poor.score):
@@ -181,41 +134,26 @@ def find(group: Group) -> Found | None:
     return best
 
 
+def _is_scribble(attempt: Attempt) -> bool:
+    """Whether there are more strokes than any drawing has, and nothing explains them even roughly."""
+    return attempt.score < 0.5 and len(attempt.traced.strokes.ends) > DENSE
+
+
+def _is_settled(attempt: Attempt, before: list[Attempt]) -> bool:
+    """Whether a third round in a row finds the same object, all of it drawn: the ink left over is none of it."""
+    near = attempt.sheet.reach
+    return (
+        attempt.is_sound
+        and len(before) >= 2
+        and all(b.shortlist and _alike(attempt.best, b.best, near) for b in before[-2:])
+    )
+
+
 def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> Found | None:
     """The one with more merit; the other needs more by the handicap."""
     if best is None or other is None:
         return best or other
     return other if _merit(other) - handicap > _merit(best) else best
-
-
-@dataclass(frozen=True)
-class Traced:
-    """What a drawing looks like at one tolerance, pixels."""
-
-    group: Group
-    skeleton: Skeleton
-    tolerance: float
-
-    @cached_property
-    def strokes(self) -> Strokes:
-        """The straight strokes of all ink that is neither letters nor dashes."""
-        return trace_strokes(self.skeleton, self.tolerance, self.group.solid)
-
-    @cached_property
-    def regions(self) -> list[Region]:
-        """What the ink encloses."""
-        return enclosed_regions(self.group.ink.mask, self.skeleton.pen_width, self.tolerance)
-
-    @cached_property
-    def dash_ends(self) -> Floats:
-        """(k, 2) float, pixels: where strokes of small pieces of ink, such as dashes, end or meet."""
-        at = self.skeleton.points.astype(np.intp)
-        if self.group.solid[at[:, 1], at[:, 0]].all():
-            return np.zeros((0, 2))
-        strokes = trace_strokes(self.skeleton, self.tolerance, self.group.ink.mask & ~self.group.solid)
-        long = strokes.lengths > 4 * self.skeleton.pen_width
-        some = replace(strokes, ends=strokes.ends[long][:60], inked=strokes.inked[long][:60])
-        return join_ends(some, self.skeleton.pen_width).points
 
 
 @dataclass(frozen=True)
@@ -231,12 +169,15 @@ class Attempt:
         """Of the best hypothesis; 0 if there is none."""
         return self.shortlist[0][1].score if self.shortlist else 0.0
 
+    @property
+    def best(self) -> Rings:
+        """The best hypothesis."""
+        return self.shortlist[0][0]
 
-def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
-    """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little."""
-    at = skeleton.points.astype(np.intp)
-    weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
-    return skeleton_sheet(skeleton.distance, skeleton.points, weights, reach + 0.5, skeleton.pen_width)
+    @property
+    def is_sound(self) -> bool:
+        """Whether all of the best hypothesis has been drawn, whatever else has."""
+        return self.score >= POOR and self.shortlist[0][1].support > 0.97 and self.shortlist[0][1].weakest > 0.8
 
 
 def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
@@ -249,6 +190,8 @@ def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
             break
         if traced.tolerance != tolerant.trace:
             traced = Traced(group, skeleton, tolerant.trace)
+        if k == 0 and traced.wobble > UNSTEADY:
+            continue
         yield _attempt(traced, tolerant)
 
 

@@ -6,7 +6,7 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, sh
 
 from sketch2shape.caps import caps
 from sketch2shape.regions import enclosed_regions
-from sketch2shape.search import Round, corner_graph, vertex_candidates
+from sketch2shape.rounds import Round, corner_graph, vertex_candidates
 from sketch2shape.strokes import thin, trace_strokes
 
 

@@ -1,0 +1,118 @@
+"""Rounds: one drawing, looked at with growing tolerance.
+
+Nobody knows beforehand how straight a drawing's lines are. A round says how far strokes may stray; with it come the
+strokes, the regions, the corners with ink between them, and the sheet that hypotheses are compared with.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from sketch2shape.corners import crossings, join_ends
+from sketch2shape.model import Floats
+from sketch2shape.regions import Region, enclosed_regions
+from sketch2shape.separate import CornerGraph
+from sketch2shape.sheet import Group
+from sketch2shape.strokes import Skeleton, Strokes, coverage, project, thinned, trace_strokes
+from sketch2shape.verify import Sheet, skeleton_sheet
+
+MOST_CORNERS = 120
+
+
+@dataclass(frozen=True)
+class Round:
+    """How tolerant one round of the search is, pixels.
+
+    trace : how far a stroke may stray from its line before it counts as bent
+    reach : how far ink may lie from the straight line between two corners
+    loose : whether to try the shapes of regions alone, without corners
+    crossings : whether the crossing of two strokes may be a vertex too (two vertices may coincide)
+    """
+
+    trace: float
+    reach: float
+    loose: bool = False
+    crossings: bool = False
+
+
+def rounds_for(size: float, pen: float) -> list[Round]:
+    """From ruled lines to a heavy wobble. A wobbling stroke still ends in a sharp corner: fine tracing, wide reach.
+
+    A thick pen rounds corners and bends the skeleton near them in proportion to its width.
+    """
+    return [
+        Round(max(1.5, 0.08 * pen), max(2.0, 0.15 * pen)),
+        Round(max(1.5, 0.08 * pen), max(3.0, 0.2 * pen), crossings=True),
+        Round(max(1.5, 0.08 * pen), max(4.0, 0.011 * size, 0.3 * pen)),
+        Round(max(2.5, 0.006 * size, 0.15 * pen), max(4.0, 0.014 * size, 0.4 * pen), True),
+        Round(max(4.0, 0.012 * size, 0.25 * pen), max(6.0, 0.02 * size, 0.5 * pen), True),
+    ]
+
+
+def vertex_candidates(strokes: Strokes, tolerant: Round, pen: float) -> Floats:
+    """(k, 2) float, pixels: corners that can be vertices."""
+    corners = join_ends(strokes, pen)
+    across = crossings(strokes, tolerant.trace + 0.5 * pen, 2 if tolerant.crossings else 3)
+    return np.concatenate([corners.points[(corners.degree >= 2) | corners.on], across])[:MOST_CORNERS]
+
+
+def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> CornerGraph:
+    """Vertex candidates (k, 2), and which of them have ink between them, at most reach pixels off."""
+    k = len(points)
+    i, j = np.triu_indices(k, 1)
+    share = coverage(skeleton.distance, points[i], points[j], reach)
+    apart = np.linalg.norm(points[i] - points[j], axis=1) > 2 * skeleton.pen_width
+    inked = np.zeros((k, k), bool)
+    inked[i, j] = inked[j, i] = (share > 0.9) & apart
+    return CornerGraph(points, inked, 0.75 * skeleton.pen_width + 1.5 * reach + 1.5)
+
+
+@dataclass(frozen=True)
+class Traced:
+    """What a drawing looks like at one tolerance, pixels."""
+
+    group: Group
+    skeleton: Skeleton
+    tolerance: float
+
+    @cached_property
+    def strokes(self) -> Strokes:
+        """The straight strokes of all ink that is neither letters nor dashes."""
+        return trace_strokes(self.skeleton, self.tolerance, self.group.solid)
+
+    @cached_property
+    def wobble(self) -> float:
+        """Rms distance of the ink from the strokes it belongs to, pixels."""
+        ends, lengths = self.strokes.ends, self.strokes.lengths + 1e-9
+        if not len(ends):
+            return 0.0
+        points = self.skeleton.points[thinned(len(self.skeleton.points), 1500)]
+        along, across = project(points, ends[:, 0], (ends[:, 1] - ends[:, 0]) / lengths[:, None])
+        own = across[(across <= 2 * self.tolerance) & (along > 0) & (along < lengths)]
+        return float(np.sqrt((own**2).mean())) if len(own) else 0.0
+
+    @cached_property
+    def regions(self) -> list[Region]:
+        """What the ink encloses."""
+        return enclosed_regions(self.group.ink.mask, self.skeleton.pen_width, self.tolerance)
+
+    @cached_property
+    def dash_ends(self) -> Floats:
+        """(k, 2) float, pixels: where strokes of small pieces of ink, such as dashes, end or meet."""
+        at = self.skeleton.points.astype(np.intp)
+        if self.group.solid[at[:, 1], at[:, 0]].all():
+            return np.zeros((0, 2))
+        strokes = trace_strokes(self.skeleton, self.tolerance, self.group.ink.mask & ~self.group.solid)
+        long = strokes.lengths > 4 * self.skeleton.pen_width
+        some = replace(strokes, ends=strokes.ends[long][:60], inked=strokes.inked[long][:60])
+        return join_ends(some, self.skeleton.pen_width).points
+
+
+def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
+    """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little."""
+    at = skeleton.points.astype(np.intp)
+    weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
+    return skeleton_sheet(skeleton.distance, skeleton.points, weights, reach + 0.5, skeleton.pen_width)
