@@ -6,14 +6,17 @@ move further than the drawing's own noise, less is asked for, and in the end not
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
+from sketch2shape.lift.classes import parallel_classes
 from sketch2shape.lift.face import edge_vectors, ring_area, ring_ends
-from sketch2shape.lift.regularity import parallel_classes
 from sketch2shape.lift.shape import Shape
-from sketch2shape.model import Floats, Ints
+from sketch2shape.model import Bools, Floats, Ints
 
 #: a vertex may move this many standard deviations of the drawing's noise
 _REACH = 2.5
@@ -23,6 +26,9 @@ _NEAR = 2.5
 
 #: part of an edge, and of the area, that must be left
 _KEPT = 0.5
+
+#: damping of the constraints, part of their mean square
+_DAMPING = 1e-10
 
 #: angles that are rounded, degrees: these between any two directions, the others only to the main one
 _STEP, _OTHERS = 90.0, (45.0, 30.0, 60.0)
@@ -67,20 +73,19 @@ def _alike(face: Floats, shape: Shape) -> bool:
     return bool(kept.all()) and ring_area(face[:n]) >= _KEPT * ring_area(shape.flat[:n])
 
 
-def _candidates(shape: Shape, noise: float) -> list[tuple[str, Floats]]:
+def _candidates(shape: Shape, noise: float) -> Iterator[tuple[str, Floats]]:
     """Regular faces near the shape's, the most regular one first."""
-    found = []
     sizes = shape.sizes
     if len(sizes) == 1 and sizes[0] >= 3:
-        found.append(("regular polygon", _regular_polygon(shape.flat)))
+        yield "regular polygon", _regular_polygon(shape.flat)
     edges = _sorted_edges(shape, noise)
     targets = _rounded(edges)
-    level = _level(targets, edges) if np.allclose(shape.pose[:2], np.eye(3)[:2]) else targets
-    for name, directions in (("directions and lengths", level), ("directions and lengths", targets)):
+    level = _level(targets, edges) if np.array_equal(shape.pose, np.eye(3)) else targets
+    for directions in [targets] if level is targets else [level, targets]:
         rows = _direction_rows(shape, edges, directions)
-        found.append((name, _nearest(shape, rows + _length_rows(shape, edges, directions, noise))))
-        found.append(("directions", _nearest(shape, rows)))
-    return found
+        lengths = _length_rows(shape, edges, directions, noise)
+        yield "directions and lengths", _nearest(shape, np.concatenate([rows, lengths]))
+        yield "directions", _nearest(shape, rows)
 
 
 def _regular_polygon(flat: Floats) -> Floats:
@@ -135,56 +140,61 @@ def _level(targets: Floats, edges: _Edges) -> Floats:
     return targets - off if abs(off) <= _NEAR * edges.spread[main] + np.deg2rad(0.1) else targets
 
 
-def _direction_rows(shape: Shape, edges: _Edges, directions: Floats) -> list[Floats]:
-    """A linear constraint (2m,) for each edge that shall have its class's direction."""
+def _direction_rows(shape: Shape, edges: _Edges, directions: Floats) -> Floats:
+    """(c, m, 2) a linear constraint for each edge that shall have its class's direction."""
+    kept = np.flatnonzero(_fixed(edges, directions))
+    angle = directions[edges.label[kept]]
+    return _components(shape, kept, np.stack([-np.sin(angle), np.cos(angle)], axis=1))
+
+
+def _length_rows(shape: Shape, edges: _Edges, directions: Floats, noise: float) -> Floats:
+    """(c, m, 2) a linear constraint for each two edges of known direction whose lengths shall be equal."""
+    kept = np.flatnonzero(_fixed(edges, directions))
+    angle = directions[edges.label[kept]]
+    unit = edges.sign[kept, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    long = (edge_vectors(shape.flat, shape.sizes)[kept] * unit).sum(axis=1)
+    spread = (noise * np.sqrt(2.0) * np.linalg.norm(unit @ shape.map.T, axis=1)).tolist()
+    order = np.argsort(long, kind="stable")
+    alike: list[tuple[int, int]] = []
+    start = 0
+    for before, here in pairwise(order.tolist()):
+        start = start if alike and alike[-1][1] == before else before
+        if long[here] - long[start] <= _NEAR * math.hypot(spread[here], spread[before]):
+            alike.append((before, here))
+    one, other = np.array(alike, np.intp).reshape(-1, 2).T
+    return _components(shape, kept[other], unit[other]) - _components(shape, kept[one], unit[one])
+
+
+def _fixed(edges: _Edges, directions: Floats) -> Bools:
+    """(m,) edges whose direction is shared or was rounded."""
+    known: Bools = ((edges.number > 1) | (directions != edges.angle))[edges.label]
+    return known
+
+
+def _components(shape: Shape, chosen: Ints, units: Floats) -> Floats:
+    """(c, m, 2) coefficients that take the components of chosen edges along unit vectors (c, 2) from a face."""
     first, last = ring_ends(shape.sizes)
-    kept = (edges.number > 1) | (directions != edges.angle)
-    rows = []
-    for e in np.flatnonzero(kept[edges.label]):
-        a = directions[edges.label[e]]
-        rows.append(_row(len(first), first[e], last[e], np.array([-np.sin(a), np.cos(a)])))
+    rows = np.zeros((len(chosen), len(first), 2))
+    at = np.arange(len(chosen))
+    rows[at, last[chosen]] = units
+    rows[at, first[chosen]] = -units
     return rows
 
 
-def _length_rows(shape: Shape, edges: _Edges, directions: Floats, noise: float) -> list[Floats]:
-    """A linear constraint for each two edges of known direction whose lengths shall be equal."""
-    first, last = ring_ends(shape.sizes)
-    kept = np.flatnonzero(((edges.number > 1) | (directions != edges.angle))[edges.label])
-    angle = directions[edges.label]
-    unit = edges.sign[:, None] * np.c_[np.cos(angle), np.sin(angle)]
-    long = (edge_vectors(shape.flat, shape.sizes) * unit).sum(axis=1)
-    spread = noise * np.sqrt(2.0) * np.linalg.norm(unit @ shape.map.T, axis=1)
-    rows = []
-    previous = None
-    start = 0.0
-    for e in kept[np.argsort(long[kept], kind="stable")]:
-        if previous is not None and long[e] - start <= _NEAR * np.hypot(spread[e], spread[previous]):
-            one = _row(len(first), first[e], last[e], unit[e])
-            other = _row(len(first), first[previous], last[previous], unit[previous])
-            rows.append(one - other)
-        else:
-            start = float(long[e])
-        previous = e
-    return rows
+def _nearest(shape: Shape, rows: Floats) -> Floats:
+    """The face that obeys the constraints (rows . face = 0) and moves least in the drawing.
 
-
-def _row(m: int, i: int, j: int, unit: Floats) -> Floats:
-    """(2m,) the component of vertex j minus vertex i along a unit vector."""
-    row = np.zeros((m, 2))
-    row[j] += unit
-    row[i] -= unit
-    return row.ravel()
-
-
-def _nearest(shape: Shape, rows: list[Floats]) -> Floats:
-    """The face that obeys the constraints (row . face = 0) and moves least in the drawing."""
-    if not rows:
+    Many constraints repeat others, so a trace of damping is added, whose effect one correction removes.
+    """
+    if not len(rows):
         return shape.flat
-    system = np.array(rows)
-    m = len(shape.flat)
-    in_drawing = np.einsum("cmi,ji->cmj", system.reshape(-1, m, 2), shape.map).reshape(-1, 2 * m)
-    step = np.linalg.lstsq(in_drawing, -system @ shape.flat.ravel(), rcond=1e-9)[0]
-    face: Floats = shape.flat + step.reshape(m, 2) @ shape.map
+    flat, moved = rows.reshape(len(rows), -1), (rows @ shape.map.T).reshape(len(rows), -1)
+    square = moved @ moved.T
+    square[np.diag_indices_from(square)] += _DAMPING * square.trace() / len(rows)
+    face = shape.flat
+    for _ in range(2):
+        step = moved.T @ np.linalg.solve(square, -flat @ face.ravel())
+        face = face + step.reshape(face.shape) @ shape.map
     return face
 
 

@@ -31,48 +31,24 @@ _SMALLER = 0.05
 #: edges drawn steeper than this, degrees, are upright
 _PLUMB = 80.0
 
-#: the vertices, numbered f1 then f2, of the other two pairs
-_PAIRS = (
-    np.array([0, 1, 5, 4, 3, 2, 6, 7]),
-    np.array([1, 2, 6, 5, 0, 3, 7, 4]),
-)
-
-
-def other_pairs(drawing: Drawing) -> list[tuple[Drawing, Ints]]:
-    """The drawing with each of the other two pairs of opposite sides as f1 and f2, and its vertices in the old numbers.
-
-    Empty unless the face has four sides, no hole and no inferred vertex that counts.
-    """
-    if drawing.sizes != [4]:
-        return []
-    points = np.concatenate([drawing.first, drawing.second])
-    seen = np.concatenate([np.ones(4, bool), drawing.known])
-    found = []
-    for order in _PAIRS:
-        first, second = points[order[:4]], points[order[4:]]
-        known = seen[order[:4]] & seen[order[4:]]
-        pair = replace(drawing, first=first, second=second, relation=relate_faces(first, second, known), known=known)
-        found.append((pair, order))
-    return found
-
 
 def simplest_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
     """The pair of sides that are parallel in space, by the simplest relation between them; None for the pair as given.
 
     In a prism over a trapezoid or a wedge, two of the pairs are not parallel; in a frustum over a square only one is.
     """
-    pairs: list[tuple[Drawing, Ints | None]] = [(drawing, None), *other_pairs(drawing)]
+    pairs = drawing.pairs
     # a pair that is a mere guess must fit better than the one given
     slack = [max(_FITS * drawing.noise, part * CONVERGENCE * drawing.diagonal) for part in (1.0, 0.6, 0.6)]
     ranks = [_unlikely(pair, limit) for (pair, _), limit in zip(pairs, slack, strict=False)]
     return pairs[ranks.index(min(ranks))]
 
 
-def _unlikely(drawing: Drawing, limit: float) -> float:
+def _unlikely(drawing: Drawing, limit: float) -> int:
     """Rank of a pair: faces alike, faces similar, connecting lines that meet, none of these; limit in pixels."""
     r = drawing.relation
     fits = (r.translation_rms <= limit, r.homothety_rms <= limit and r.scale > 0.0, r.centre_rms <= limit)
-    return float(fits.index(True)) if any(fits) else 3.0 + r.centre_rms
+    return (*fits, True).index(True)
 
 
 def is_box_like(drawing: Drawing) -> bool:
@@ -85,20 +61,21 @@ def is_box_like(drawing: Drawing) -> bool:
     return bool(skew <= max(4.0 * drawing.noise, _PARALLEL * size))
 
 
-def true_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
-    """The pair of sides that an oblique drawing would show in true shape, and its numbers; None for the pair as given.
+def true_pair(drawing: Drawing) -> int:
+    """Which of `Drawing.pairs` an oblique drawing would show in true shape.
 
     Of the three directions of edges the two drawn at right angles, best level and upright, span the true face; what
     recedes is drawn at 30, 45 or 60 degrees, never level or upright.
     """
     a, b, d = _directions(drawing)
-    own, *others = (_truth_odds(*uvw, drawing.noise) for uvw in ((a, b, d), (a, d, b), (b, d, a)))
-    best = int(np.argmax(others))
-    return other_pairs(drawing)[best] if others[best] > own + _SIDEWAYS else (drawing, None)
+    own, first, second = (_truth_odds(*uvw, drawing.noise) for uvw in ((a, b, d), (a, d, b), (b, d, a)))
+    if max(first, second) <= own + _SIDEWAYS:
+        return 0
+    return 1 if first >= second else 2
 
 
 def standing_pairs(drawing: Drawing) -> list[int]:
-    """Which pairs of sides an orthographic view may be about: 0 the pair as given, 1 and 2 those of `other_pairs`.
+    """Which of `Drawing.pairs` an orthographic view may be about.
 
     Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level;
     drawn, a level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.

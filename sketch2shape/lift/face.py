@@ -2,17 +2,35 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from sketch2shape.model import Floats, Ints
 
 
 def ring_ends(sizes: list[int]) -> tuple[Ints, Ints]:
-    """First and last vertex of each edge of each ring, the rings one after the other."""
+    """First and last vertex of each edge of each ring, the rings one after the other; read-only."""
+    return _ring_ends(tuple(sizes))
+
+
+@lru_cache(maxsize=256)
+def _ring_ends(sizes: tuple[int, ...]) -> tuple[Ints, Ints]:
     first = np.arange(sum(sizes))
-    starts = np.cumsum([0, *sizes[:-1]])
-    last = np.concatenate([s + np.roll(np.arange(n), -1) for s, n in zip(starts, sizes, strict=True)])
+    last, start = first + 1, 0
+    for n in sizes:
+        last[start + n - 1] = start
+        start += n
+    first.flags.writeable = last.flags.writeable = False
     return first, last
+
+
+@lru_cache(maxsize=256)
+def all_pairs(k: int) -> tuple[Ints, Ints]:
+    """The two indices of each pair among k things; read-only."""
+    first, second = np.triu_indices(k, 1)
+    first.flags.writeable = second.flags.writeable = False
+    return first, second
 
 
 def edge_vectors(points: Floats, sizes: list[int]) -> Floats:
@@ -25,4 +43,4 @@ def edge_vectors(points: Floats, sizes: list[int]) -> Floats:
 def ring_area(ring: Floats) -> float:
     """Area inside an (n, 2) ring, >= 0."""
     x, y = (ring - ring[0]).T
-    return abs(float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1))))
+    return 0.5 * abs(float(x[:-1] @ y[1:] - y[:-1] @ x[1:]))

@@ -27,11 +27,11 @@ def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
     """
     normal = _unit(through, np.array([0.0, 0.0, 1.0]))
     aside = np.array([0.0, 0.0, -np.sign(normal[0]) or 1.0])  # level too, for a face that looks to the side
-    level = _unit(np.cross(np.cross(normal, [1.0, 0.0, 0.0]), normal), aside)
-    across = np.cross(normal, level)
+    level = _unit(np.array([1.0, 0.0, 0.0]) - normal[0] * normal, aside)
+    across = _cross(normal, level)
     lean = _lean(edge_vectors(front, sizes) @ np.c_[level, across])
     width = np.cos(lean) * level + np.sin(lean) * across
-    return np.array([width, np.cross(normal, width), normal])
+    return np.array([width, _cross(normal, width), normal])
 
 
 def _lean(edges: Floats) -> float:
@@ -70,6 +70,12 @@ def upright(vertices: Floats, axes: Floats, up: Literal["y", "z"]) -> tuple[Floa
     height = 1 if up == "y" else 2
     origin[height] = low[height]
     return moved - origin, turned
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    """np.cross of two vectors, without what it spends on arrays of them."""
+    (x, y, z), (u, v, w) = a.tolist(), b.tolist()
+    return np.array([y * w - z * v, z * u - x * w, x * v - y * u])
 
 
 def _unit(vector: Floats, default: Floats) -> Floats:

@@ -66,17 +66,19 @@ def _meeting_point(first: Floats, second: Floats) -> tuple[Floats, float]:
     pixels; two reweighted passes are enough.
     """
     middle = 0.5 * (first + second).mean(axis=0)
-    size = float(np.abs(np.concatenate([first, second]) - middle).max()) or 1.0
+    size = float(max(np.abs(first - middle).max(), np.abs(second - middle).max())) or 1.0
     p, q = (first - middle) / size, (second - middle) / size
-    lines = np.cross(np.c_[p, np.ones(len(p))], np.c_[q, np.ones(len(q))])
+    (px, py), (qx, qy) = p.T, q.T
+    lines = np.stack([py - qy, qx - px, px * qy - py * qx])
+    x, y, z = 0.0, 0.0, 1.0
     weight = np.ones(len(p))
-    point = np.array([0.0, 0.0, 1.0])
     for _ in range(3):
-        rows = lines * weight[:, None]
-        point = np.linalg.svd(rows)[2][2]
+        rows = lines * weight
+        x, y, z = np.linalg.eigh(rows @ rows.T)[1][:, 0].tolist()
         # moving p and q by e across the line changes line . point by about e * hypot(|q - point|, |p - point|)
-        reach = np.hypot(*[np.linalg.norm(r * point[2] - point[:2], axis=1) for r in (p, q)])
-        weight = 1.0 / np.maximum(reach, 1e-9)
-    rms = float(np.sqrt(((lines @ point * weight) ** 2).sum() / max(len(p) - 2, 1))) * size
-    moved = np.array([point[0] * size + middle[0] * point[2], point[1] * size + middle[1] * point[2], point[2]])
-    return moved / np.linalg.norm(moved), rms
+        reach = (px * z - x) ** 2 + (py * z - y) ** 2 + (qx * z - x) ** 2 + (qy * z - y) ** 2
+        weight = 1.0 / np.maximum(np.sqrt(reach), 1e-9)
+    off = (x * lines[0] + y * lines[1] + z * lines[2]) * weight
+    rms = float(np.sqrt((off @ off) / max(len(p) - 2, 1))) * size
+    moved = np.array([x * size + middle[0] * z, y * size + middle[1] * z, z])
+    return moved / np.sqrt(moved @ moved), rms

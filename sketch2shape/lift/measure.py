@@ -22,7 +22,7 @@ def measured(shape: Shape, options: LiftOptions) -> Shape:
     """
     width, height, depth = options.sizes()
     unit, warnings = options.solid_unit, list(shape.warnings)
-    own_width, own_height = _extents(shape)
+    own_width, own_height = (1.0, 1.0) if width is None and height is None else _extents(shape)
     sized: float | None = None
     if width is not None:
         sized = width / own_width

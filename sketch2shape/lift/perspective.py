@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sketch2shape.lift.projection import Drawing
-from sketch2shape.lift.regularity import find_relations, score
+from sketch2shape.lift.regularity import Relations, bearings, candidates, find_relations, score
 from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Floats
 
@@ -26,10 +26,13 @@ from sketch2shape.model import Floats
 USUAL_FOCAL, _FOCAL_SPREAD = 1.9, 0.4
 
 #: focal lengths tried, over the diagonal
-_FOCALS = np.geomspace(0.7, 8.0, 60)
+_FOCALS = np.geomspace(0.7, 8.0, 30)
 
-#: Gauss-Newton steps: the start is good, four would do
-_STEPS = 6
+#: focal lengths tried in turn near the best of them, over it
+_NEARER = np.geomspace(0.92, 1.087, 13)
+
+#: Gauss-Newton steps: the start is good, three would do
+_STEPS = 4
 
 #: depth over the distance of the front face beyond which a reading is nonsense
 _DEEPEST = 20.0
@@ -53,44 +56,93 @@ class Cameras:
     rss: Floats
 
 
-def perspective_shape(drawing: Drawing) -> Shape | None:
-    """The right prism seen by the best camera; None if no camera sees one."""
+@dataclass(frozen=True)
+class Seen:
+    """Prisms as candidate cameras see them.
+
+    cameras   : g of them
+    shapes    : (g, m, 2) true face
+    maps      : (g, 2, 2) linear part of drawing -> true face
+    odds      : (g,) log odds, -inf where the camera sees no prism
+    relations : what could be regular about the face
+    """
+
+    cameras: Cameras
+    shapes: Floats
+    maps: Floats
+    odds: Floats
+    relations: Relations | None
+
+    @property
+    def best(self) -> int:
+        """The likeliest."""
+        return int(self.odds.argmax())
+
+
+def seen_by_cameras(drawing: Drawing) -> Seen:
+    """The right prism as each of the usual cameras sees it."""
+    middle = np.concatenate([drawing.first, drawing.second]).mean(axis=0)
+    return _seen(drawing, *_candidates(drawing.relation.centre, middle, drawing.diagonal))
+
+
+def perspective_shape(drawing: Drawing, seen: Seen | None = None) -> Shape | None:
+    """The right prism seen by the best camera, its focal length refined; None if no camera sees one.
+
+    seen : what `seen_by_cameras` gives, if that is known already
+    """
+    seen = seen or seen_by_cameras(drawing)
+    best = seen.best
+    if not np.isfinite(seen.odds[best]):
+        return None
+    level = best >= len(_FOCALS)
+    near = seen.cameras.focal[best] * _NEARER
+    fine = _seen(drawing, near, np.repeat(seen.cameras.centre[best : best + 1], len(near), axis=0), seen.relations)
+    if fine.odds.max() >= seen.odds[best]:
+        seen, best = fine, fine.best
+    cameras, first = seen.cameras, drawing.first
+    pose = np.array([*(axis[best] for axis in _plane(cameras.normal)), cameras.normal[best]])
+    # the drawn and the true object shall have about one size
+    size = float(np.linalg.norm(np.ptp(first, axis=0)))
+    size /= float(np.linalg.norm(np.ptp((seen.shapes[best] @ pose[:2])[:, :2], axis=0)))
+    evidence = {
+        "focal_px": round(float(cameras.focal[best]), 1),
+        "principal_point": [round(float(c), 1) for c in cameras.centre[best]],
+        "vanishing_point": _finite(drawing.relation.centre),
+        "log_odds": round(float(seen.odds[best]), 2),
+        "level_line_of_sight": level,
+        "fit_rms_px": round(float(np.sqrt(cameras.rss[best] / (2.0 * first.size))), 3),
+    }
+    return Shape(
+        "perspective",
+        seen.shapes[best] * size,
+        pose,
+        pose[2] * size,
+        float(cameras.depth[best]) * size,
+        seen.maps[best] * size,
+        drawing.sizes,
+        evidence=evidence,
+    )
+
+
+def _seen(drawing: Drawing, focal: Floats, centre: Floats, relations: Relations | None = None) -> Seen:
+    """The prism as cameras of these focal lengths (g,) and principal points (g, 2) see it.
+
+    relations : what could be regular about its face, if that is known already
+    """
     first, second, noise = drawing.first, drawing.second, drawing.noise
-    middle = np.concatenate([first, second]).mean(axis=0)
-    focal, centre = _candidates(drawing.relation.centre, middle, drawing.diagonal)
     cameras = _fit(first, second, focal, centre, drawing.relation.centre)
     shapes, maps = _true_faces(first, second, cameras)
     possible = np.isfinite(cameras.rss) & np.isfinite(shapes).all(axis=(1, 2)) & (np.abs(cameras.depth) < _DEEPEST)
     if not possible.any():
-        return None
+        return Seen(cameras, shapes, maps, np.full(len(focal), -np.inf), relations)
     shapes, maps = np.where(possible[:, None, None], shapes, 0.0), np.where(possible[:, None, None], maps, np.eye(2))
     rss = np.where(possible, cameras.rss, np.inf)
-    relations = find_relations(shapes[int(rss.argmin())], drawing.sizes, first, noise)
-    odds = score(relations, shapes, maps, noise) - rss / (4.0 * noise**2)
+    if relations is None:
+        relations = find_relations(shapes[int(rss.argmin())], drawing.sizes, first, noise)
+    found = candidates(relations, shapes, maps)
+    odds = score(relations, found, bearings(relations, found, noise), noise) - rss / (4.0 * noise**2)
     odds -= 0.5 * (np.log(focal / drawing.diagonal / USUAL_FOCAL) / _FOCAL_SPREAD) ** 2
-    best = int(odds.argmax())
-    pose = np.array([*(axis[best] for axis in _plane(cameras.normal)), cameras.normal[best]])
-    # the drawn and the true object shall have about one size
-    size = drawing.diagonal / float(np.linalg.norm(np.ptp((shapes[best] @ pose[:2])[:, :2], axis=0)))
-    size *= float(np.linalg.norm(np.ptp(first, axis=0))) / drawing.diagonal
-    evidence = {
-        "focal_px": round(float(focal[best]), 1),
-        "principal_point": [round(float(c), 1) for c in centre[best]],
-        "vanishing_point": _finite(drawing.relation.centre),
-        "log_odds": round(float(odds[best]), 2),
-        "level_line_of_sight": best >= len(_FOCALS),
-        "fit_rms_px": round(float(np.sqrt(rss[best] / (2.0 * first.size))), 3),
-    }
-    return Shape(
-        "perspective",
-        shapes[best] * size,
-        pose,
-        pose[2] * size,
-        float(cameras.depth[best]) * size,
-        maps[best] * size,
-        drawing.sizes,
-        evidence=evidence,
-    )
+    return Seen(cameras, shapes, maps, odds, relations)
 
 
 def facing_shape(drawing: Drawing) -> Shape:
@@ -166,7 +218,9 @@ def _fit(first: Floats, second: Floats, focal: Floats, centre: Floats, meeting: 
     for _ in range(_STEPS):
         residual, jacobian = _transfer(one, two, m, sign, focal)
         rss = (residual**2).sum(axis=1)
-        square = np.einsum("gki,gkj->gij", jacobian, jacobian) + 1e-9 * np.eye(3)
+        square = np.swapaxes(jacobian, 1, 2) @ jacobian
+        size = np.maximum(np.trace(square, axis1=1, axis2=2), 1e-12)
+        square = square + (1e-10 * size)[:, None, None] * np.eye(3)
         step = np.linalg.solve(square, np.einsum("gki,gk->gi", jacobian, residual)[..., None])[..., 0]
         m = m - np.where(np.isfinite(step), step, 0.0)
     size = np.linalg.norm(m, axis=1)
@@ -178,11 +232,20 @@ def _fit(first: Floats, second: Floats, focal: Floats, centre: Floats, meeting: 
 
 
 def _first_depth(one: Floats, two: Floats, normal: Floats) -> Floats:
-    """(g,) depth by linear least squares, the normal known."""
-    facing = one @ normal[:, :, None]
-    base, way = np.cross(two, one), np.cross(two, facing * normal[:, None])
-    depth: Floats = -(base * way).sum(axis=(1, 2)) / np.maximum((way**2).sum(axis=(1, 2)), 1e-18)
+    """(g,) depth by linear least squares, the normal known: two x (one + depth (one . normal) normal) = 0."""
+    facing = (one @ normal[:, :, None])[..., 0]
+    base = _cross(two, one)
+    way = _cross(two, normal[:, None])
+    over = sum((b * w * facing).sum(axis=1) for b, w in zip(base, way, strict=True))
+    under = sum(((w * facing) ** 2).sum(axis=1) for w in way)
+    depth: Floats = -over / np.maximum(under, 1e-18)
     return depth
+
+
+def _cross(a: Floats, b: Floats) -> tuple[Floats, Floats, Floats]:
+    """The components of the cross products of (..., 3) vectors."""
+    (x, y, z), (u, v, w) = (np.moveaxis(p, -1, 0) for p in (a, b))
+    return y * w - z * v, z * u - x * w, x * v - y * u
 
 
 def _transfer(one: Floats, two: Floats, m: Floats, sign: Floats, focal: Floats) -> tuple[Floats, Floats]:
@@ -221,6 +284,8 @@ def _front(first: Floats, second: Floats, cameras: Cameras) -> Floats:
 
 def _plane(normal: Floats) -> tuple[Floats, Floats]:
     """Unit axes (g, 3) of each plane: one that looks level, and the one that looks down across it."""
-    down = np.cross(normal, np.broadcast_to([1.0, 0.0, 0.0], normal.shape))
-    down /= np.maximum(np.linalg.norm(down, axis=1, keepdims=True), 1e-12)
-    return np.cross(down, normal), down
+    x, y, z = normal.T
+    size = np.maximum(np.hypot(y, z), 1e-12)
+    down = np.stack([np.zeros_like(x), z / size, -y / size], axis=1)
+    right = np.stack([size, -x * y / size, -x * z / size], axis=1)
+    return right, down

@@ -3,13 +3,14 @@ significant."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
 from sketch2shape.lift.homology import FaceRelation, relate_faces
-from sketch2shape.model import Floats, TwoFaceObject
+from sketch2shape.model import Bools, Floats, Ints, TwoFaceObject
 
 Kind = Literal["parallel", "scaled", "converging"]
 
@@ -24,6 +25,13 @@ _CHANCE = 0.01
 
 #: how many times its own residual a simpler family may miss before the wider one is taken
 _SIGNIFICANT = 2.0
+
+
+#: the vertices of a four-sided object, numbered f1 then f2, by its other two pairs of opposite sides
+_OTHER_PAIRS = (
+    np.array([0, 1, 5, 4, 3, 2, 6, 7]),
+    np.array([1, 2, 6, 5, 0, 3, 7, 4]),
+)
 
 
 @dataclass(frozen=True)
@@ -45,8 +53,29 @@ class Drawing:
     relation: FaceRelation
     noise: float
     diagonal: float
-    known: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    known: Bools
     hidden: bool
+
+    @cached_property
+    def pairs(self) -> list[tuple[Drawing, Ints | None]]:
+        """Each pair of opposite sides that can pass for f1 and f2, and its vertices in the old numbers.
+
+        The first is the pair as given, with None; there are two more if the face has four sides and no hole, unless a
+        side crosses itself, as that of no solid does.
+        """
+        found: list[tuple[Drawing, Ints | None]] = [(self, None)]
+        if self.sizes != [4]:
+            return found
+        points = np.concatenate([self.first, self.second])
+        seen = np.concatenate([np.ones(4, bool), self.known])
+        for order in _OTHER_PAIRS:
+            first, second = points[order[:4]], points[order[4:]]
+            if _is_bow(first) or _is_bow(second):
+                return found[:1]
+            known = seen[order[:4]] & seen[order[4:]]
+            relation = relate_faces(first, second, known)
+            found.append((replace(self, first=first, second=second, relation=relation, known=known), order))
+        return found
 
 
 def prepare(obj: TwoFaceObject) -> Drawing:
@@ -67,6 +96,18 @@ def prepare(obj: TwoFaceObject) -> Drawing:
         known,
         obj.lines != "wire",
     )
+
+
+def _is_bow(quad: Floats) -> bool:
+    """Do two opposite edges of a (4, 2) ring cross?"""
+    p = quad.tolist()
+    side = [_turn(p[i - 1], p[i], p[(i + 1) % 4]) for i in range(4)]
+    return sum(s > 0.0 for s in side) == 2 and sum(s < 0.0 for s in side) == 2
+
+
+def _turn(a: list[float], b: list[float], c: list[float]) -> float:
+    """Twice the signed area of a triangle."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def _rectified(points: Floats, page: Floats | None) -> Floats:

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.lift.face import ring_ends
-from sketch2shape.model import Floats, Ints
+from sketch2shape.lift.classes import parallel_classes
+from sketch2shape.lift.face import all_pairs, ring_ends
+from sketch2shape.model import Bools, Floats, Ints
 
 #: least width of a relation's density, radians: drawings are rounded to pixels even when nothing else is wrong
 _FLOOR = np.deg2rad(0.25)
@@ -22,8 +23,15 @@ _FLOOR = np.deg2rad(0.25)
 #: part of all faces that have no special angles
 _IRREGULAR = 0.3
 
-#: angle between adjacent edges, prior odds that such an angle was meant
-_ANGLES = ((90.0, 0.45), (60.0, 0.08), (45.0, 0.08), (72.0, 0.03), (30.0, 0.03))
+#: prior odds that a right angle was meant: between any two directions, and how much more between adjacent edges
+_RIGHT, _RIGHT_AT_CORNER = 0.18, 0.27
+
+#: other angles between adjacent edges, and the prior odds that such an angle was meant
+_ANGLES = np.deg2rad([60.0, 45.0, 72.0, 30.0])
+_MEANT = np.array([0.08, 0.08, 0.03, 0.03])
+
+#: the height of a normal density of width one
+_PEAK = 1.0 / np.sqrt(2.0 * np.pi)
 
 
 @dataclass(frozen=True)
@@ -32,26 +40,50 @@ class Relations:
 
     All vectors are sums of vertices, so that they can be taken from any candidate shape by one product.
 
-    outer      : vertices of the outer ring
-    directions : (k, m) coefficients of the k edge directions, parallel edges summed
-    lengths    : (k,) length in the drawing that each direction rests on, pixels
-    edges      : (k,) number of edges summed in each direction
-    angles     : (p, 2) pairs of directions
-    adjacent   : (p,) bool, does a corner of the face have this pair?
-    axes       : (s, 2, m) coefficients of a mirror axis and of the chords it should halve at right angles
-    belief     : (s,) prior odds that this symmetry was meant
-    sides      : (q, m) coefficients of the edges whose lengths are compared
+    outer    : vertices of the outer ring
+    rows     : (r, m) coefficients of the vectors: of the k edge directions, parallel edges summed; of s mirror axes;
+               of the s chords they should halve at right angles; of the edges whose lengths are compared
+    drawn    : (r,) their lengths in the drawing, pixels
+    weight   : (k + 2 s,) how much the vertices' noise adds up in each direction, axis and chord
+    lengths  : (k,) length in the drawing that each direction rests on, pixels
+    edges    : (k,) number of edges summed in each direction
+    angles   : the two directions of each of p pairs
+    adjacent : (p,) bool, does a corner of the face have this pair?
+    belief   : (s,) prior odds that this symmetry was meant
     """
 
     outer: int
-    directions: Floats
+    rows: Floats
+    drawn: Floats
+    weight: Floats
     lengths: Floats
     edges: Ints
-    angles: Ints
-    adjacent: Floats
-    axes: Floats
+    angles: tuple[Ints, Ints]
+    adjacent: Bools
     belief: Floats
-    sides: Floats
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """The vectors of a face's relations in g guesses at its true shape.
+
+    x, y    : (g, r) components, one column for each of `Relations.rows`
+    area    : (g,) true area over drawn area
+    stretch : (g,) the most that a length grows from the drawing to the true shape
+    """
+
+    x: Floats
+    y: Floats
+    area: Floats
+    stretch: Floats
+
+
+@dataclass(frozen=True)
+class Bearings:
+    """(g, k + 2 s) angles of the directions, axes and chords of `Relations`, and their standard deviations, radians."""
+
+    angle: Floats
+    spread: Floats
 
 
 def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float) -> Relations:
@@ -63,189 +95,170 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     noise : standard deviation of a drawn vertex, pixels
     """
     start, finish = ring_ends(sizes)
-    vectors, long = shape[finish] - shape[start], np.linalg.norm(drawn[finish] - drawn[start], axis=1)
-    label, sign = parallel_classes(vectors, long, noise)
-    k, m = int(label.max()) + 1, len(shape)
-    directions = np.zeros((k, m))
-    np.add.at(directions, (label, finish), sign)
-    np.add.at(directions, (label, start), -sign)
-    first, second = np.triu_indices(k, 1)
-    corner = {frozenset(p) for p in zip(label[_previous(sizes)].tolist(), label.tolist(), strict=True)}
-    adjacent = np.array([frozenset(p) in corner for p in zip(first.tolist(), second.tolist(), strict=True)], float)
+    way = drawn[finish] - drawn[start]
+    long = np.hypot(way[:, 0], way[:, 1])
+    label, sign = parallel_classes(shape[finish] - shape[start], long, noise)
+    edges = np.bincount(label)
+    k, m = len(edges), len(shape)
+    every = np.arange(m)
+    sides = np.zeros((m, m))
+    sides[every, finish], sides[every, start] = 1.0, -1.0
+    directions = (sign * (label == np.arange(k)[:, None])) @ sides
+    first, second = all_pairs(k)
     axes, belief = _symmetries(shape, sizes[0], noise * _stretch(shape, drawn))
     if sizes[0] == 4 and len(set(label[:4].tolist())) == 2:
         # a rectangle's symmetries and a rhombus's say again what its edges say
-        axes, belief = axes[:0], belief[:0]
-    sides = np.zeros((len(start), m))
-    rows = np.arange(len(start))
-    sides[rows, finish], sides[rows, start] = 1.0, -1.0
-    lengths = np.sqrt(np.bincount(label, long**2))
-    one_each = sides[
-        np.unique(np.c_[label, np.round(long / max(4.0 * noise, 0.01 * long.max()))], axis=0, return_index=True)[1]
-    ]
+        axes, belief = axes[:, :0], belief[:0]
+    corner = np.zeros((k, k), bool)
+    before = np.empty(m, np.intp)
+    before[finish] = label[start]
+    corner[before, label] = corner[label, before] = True
+    rows = np.concatenate([directions, *axes, sides[_one_each(label, long, noise)]])
+    weight = np.concatenate([np.sqrt(2.0 * edges), np.sqrt((axes**2).sum(axis=2)).ravel()])
+    vectors = rows @ drawn
     return Relations(
-        sizes[0], directions, lengths, np.bincount(label), np.c_[first, second], adjacent, axes, belief, one_each[:16]
+        sizes[0],
+        rows,
+        np.hypot(vectors[:, 0], vectors[:, 1]),
+        weight,
+        np.sqrt(np.bincount(label, long**2)),
+        edges,
+        (first, second),
+        corner[first, second],
+        belief,
     )
 
 
-def score(relations: Relations, shapes: Floats, maps: Floats, noise: float) -> Floats:
+def candidates(relations: Relations, shapes: Floats, maps: Floats) -> Candidates:
+    """The vectors of relations in (g, m, 2) shapes; maps (g, 2, 2) are the linear part of drawing -> shape (rows)."""
+    area = maps[:, 0, 0] * maps[:, 1, 1] - maps[:, 0, 1] * maps[:, 1, 0]
+    square = (maps**2).sum(axis=(1, 2))
+    stretch = np.sqrt(0.5 * (square + np.sqrt(np.maximum(square**2 - 4.0 * area**2, 0.0))))
+    return Candidates(shapes[..., 0] @ relations.rows.T, shapes[..., 1] @ relations.rows.T, np.abs(area), stretch)
+
+
+def bearings(relations: Relations, found: Candidates, noise: float) -> Bearings:
+    """Directions of the relations' vectors; noise is the standard deviation of a drawn vertex, pixels.
+
+    A map that makes areas `area` times as large shifts the tip of a vector sideways by area * drawn / true length for
+    each pixel of noise across the drawn one.
+    """
+    w = len(relations.weight)
+    x, y = found.x[:, :w], found.y[:, :w]
+    reach = noise * relations.weight * relations.drawn[:w]
+    return Bearings(np.arctan2(y, x), found.area[:, None] * reach / np.maximum(x * x + y * y, 1e-24))
+
+
+def score(relations: Relations, found: Candidates, turned: Bearings, noise: float) -> Floats:
     """(g,) log odds of each candidate shape against chance.
 
-    shapes : (g, m, 2) candidates for the true face
-    maps   : (g, 2, 2) the linear part of drawing -> candidate (row vectors: candidate = drawn @ map)
+    turned : their `bearings`
     noise  : standard deviation of a drawn vertex, pixels
     """
-    along = np.einsum("km,gmd->gkd", relations.directions, shapes)
-    angle, spread = _bearings(along, relations.edges, maps, noise)
-    total: Floats = _angle_odds(relations, angle, spread)
-    total = total + _symmetry_odds(relations, shapes, maps, noise)
-    return total + _length_odds(relations, shapes, maps, noise)
-
-
-def bearings(relations: Relations, shapes: Floats, maps: Floats, noise: float) -> tuple[Floats, Floats]:
-    """(g, k) angle of each edge direction in each candidate and its standard deviation, radians."""
-    along = np.einsum("km,gmd->gkd", relations.directions, shapes)
-    return _bearings(along, relations.edges, maps, noise)
+    total: Floats = _angle_odds(relations, turned) + _length_odds(relations, found, noise)
+    return total + _symmetry_odds(relations, turned) if len(relations.belief) else total
 
 
 def log_odds(deviation: Floats, spread: Floats, belief: Floats | float, span: float) -> Floats:
     """Log odds of a deviation: a normal density of this spread with this belief, against chance over `span`."""
-    density = np.exp(-0.5 * (deviation / spread) ** 2) / (spread * np.sqrt(2.0 * np.pi))
-    odds: Floats = np.log((1.0 - belief) + belief * density * span)
+    odds: Floats = np.log((1.0 - belief) + (belief * span) * _density(deviation, spread))
     return odds
 
 
 def between(first: Floats, second: Floats) -> Floats:
-    """Angle between two undirected lines, 0 to pi / 2."""
-    turn = np.abs(first - second) % np.pi
+    """Angle between two undirected lines, 0 to pi / 2; their directions are between -pi and pi."""
+    turn = np.abs(np.abs(first - second) - np.pi)
     angle: Floats = np.minimum(turn, np.pi - turn)
     return angle
 
 
-def _angle_odds(relations: Relations, angle: Floats, spread: Floats) -> Floats:
+def _density(deviation: Floats, spread: Floats) -> Floats:
+    normal: Floats = np.exp(-0.5 * (deviation / spread) ** 2) * (_PEAK / spread)
+    return normal
+
+
+def _angle_odds(relations: Relations, turned: Bearings) -> Floats:
     """Right angles between all pairs of directions; other special angles only at corners."""
-    if not len(relations.angles):
-        return np.zeros(len(angle))
-    i, j = relations.angles.T
-    turn, width = between(angle[:, i], angle[:, j]), np.hypot(spread[:, i], spread[:, j])
-    width = np.hypot(width, _FLOOR)
-    span = np.pi / 2
-    odds, left = np.zeros_like(turn), np.ones_like(turn)
-    for degrees, belief in _ANGLES:
-        share = belief * (relations.adjacent if degrees != 90.0 else 0.4 + 0.6 * relations.adjacent)
-        target = np.deg2rad(degrees)
-        density = np.exp(-0.5 * ((turn - target) / width) ** 2) / (width * np.sqrt(2.0 * np.pi))
-        odds += share * density * (span if degrees != 90.0 else 2.0 * span)
-        left -= share
+    i, j = relations.angles
+    if not len(i):
+        return np.zeros(len(turned.angle))
+    turn = between(turned.angle[:, i], turned.angle[:, j])
+    width = np.sqrt(turned.spread[:, i] ** 2 + turned.spread[:, j] ** 2 + _FLOOR**2)
+    corner = relations.adjacent
+    right = _RIGHT + _RIGHT_AT_CORNER * corner
+    odds = (1.0 - right - _MEANT.sum() * corner) + (np.pi * right) * _density(turn - np.pi / 2, width)
+    others = _density(turn[:, corner, None] - _ANGLES, width[:, corner, None])
+    odds[:, corner] += others @ (0.5 * np.pi * _MEANT)
     # many pairs of few directions repeat one another: their evidence grows with the number of directions, not of pairs
-    share = 2.0 / max(angle.shape[1] - 1.0, 2.0)
-    total: Floats = share * np.log(left + odds).sum(axis=1)
+    share = 2.0 / max(len(relations.edges) - 1.0, 2.0)
+    total = share * np.log(odds).sum(axis=1)
     # some faces are not made of special angles at all
     odds_of_face: Floats = np.logaddexp(np.log(1.0 - _IRREGULAR) + total, np.log(_IRREGULAR))
     return odds_of_face
 
 
-def _symmetry_odds(relations: Relations, shapes: Floats, maps: Floats, noise: float) -> Floats:
-    if not len(relations.belief):
-        return np.zeros(len(shapes))
-    vectors = np.einsum("sam,gmd->gsad", relations.axes, shapes)
-    weight = np.sqrt((relations.axes**2).sum(axis=2))
-    angle = np.arctan2(vectors[..., 1], vectors[..., 0])
-    wide = _transverse(angle.reshape(len(shapes), -1), maps).reshape(angle.shape)
-    spread = noise * weight * wide / np.maximum(np.linalg.norm(vectors, axis=3), 1e-12)
-    turn = between(angle[..., 0], angle[..., 1])
-    width = np.sqrt((spread**2).sum(axis=2) + _FLOOR**2)
+def _symmetry_odds(relations: Relations, turned: Bearings) -> Floats:
+    k, s = len(relations.edges), len(relations.belief)
+    axis, chord = slice(k, k + s), slice(k + s, k + 2 * s)
+    turn = between(turned.angle[:, axis], turned.angle[:, chord])
+    width = np.sqrt(turned.spread[:, axis] ** 2 + turned.spread[:, chord] ** 2 + _FLOOR**2)
     odds = log_odds(turn - np.pi / 2, width, relations.belief, np.pi)
     # symmetries of one face imply one another: the best counts whole, further ones less
-    ranked = np.sort(odds, axis=1)[:, ::-1]
-    total: Floats = ranked @ (1.0 / (1.0 + np.arange(ranked.shape[1])))
+    odds.sort(axis=1)
+    total: Floats = odds[:, ::-1] @ (1.0 / (1.0 + np.arange(s)))
     return total
 
 
-def _length_odds(relations: Relations, shapes: Floats, maps: Floats, noise: float) -> Floats:
+def _length_odds(relations: Relations, found: Candidates, noise: float) -> Floats:
     """Equal lengths between neighbouring kinds of edges."""
-    sides = np.einsum("qm,gmd->gqd", relations.sides, shapes)
-    long = np.maximum(np.linalg.norm(sides, axis=2), 1e-12)
-    if long.shape[1] < 2:
-        return np.zeros(len(shapes))
-    stretch = np.linalg.norm(maps, ord=2, axis=(1, 2))
-    spread = noise * np.sqrt(2.0) * stretch[:, None] / long
-    i, j = np.triu_indices(long.shape[1], 1)
-    width = np.sqrt(spread[:, i] ** 2 + spread[:, j] ** 2 + 0.005**2)
-    odds = log_odds(np.log(long[:, i] / long[:, j]), width, 0.05, 3.0)
-    total: Floats = odds.sum(axis=1) / (long.shape[1] - 1.0)
+    w = len(relations.weight)
+    square = np.maximum(found.x[:, w:] ** 2 + found.y[:, w:] ** 2, 1e-24)
+    sides = square.shape[1]
+    if sides < 2:
+        return np.zeros(len(square))
+    spread = (2.0 * noise**2) * found.stretch[:, None] ** 2 / square
+    long = 0.5 * np.log(square)
+    i, j = all_pairs(sides)
+    odds = log_odds(long[:, i] - long[:, j], np.sqrt(spread[:, i] + spread[:, j] + 0.005**2), 0.05, 3.0)
+    total: Floats = odds.sum(axis=1) / (sides - 1.0)
     return total
 
 
-def _bearings(along: Floats, edges: Ints, maps: Floats, noise: float) -> tuple[Floats, Floats]:
-    angle = np.arctan2(along[..., 1], along[..., 0])
-    true = np.maximum(np.linalg.norm(along, axis=2), 1e-12)
-    spread = noise * np.sqrt(2.0 * edges) * _transverse(angle, maps) / true
-    return angle, spread
-
-
-def _transverse(angle: Floats, maps: Floats) -> Floats:
-    """(g, k) how much a drawn pixel's error grows across each direction."""
-    across = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
-    grown: Floats = np.linalg.norm(np.einsum("gij,gkj->gki", maps, across), axis=2)
-    return grown
-
-
-def _previous(sizes: list[int]) -> Ints:
-    starts = np.cumsum([0, *sizes[:-1]])
-    return np.concatenate([s + np.roll(np.arange(n), 1) for s, n in zip(starts, sizes, strict=True)])
-
-
-def parallel_classes(vectors: Floats, lengths: Floats, noise: float) -> tuple[Ints, Floats]:
-    """Class of each edge's direction and the sign that turns it along its class; long edges lead."""
-    label, sign = np.full(len(vectors), -1), np.ones(len(vectors))
-    sums: list[Floats] = []
-    for e in np.argsort(-lengths, kind="stable"):
-        tolerance = np.clip(3.0 * noise / max(lengths[e], 1e-9), np.deg2rad(1.0), np.deg2rad(12.0))
-        best, turn = -1, tolerance
-        for k, s in enumerate(sums):
-            cross, dot = s[0] * vectors[e, 1] - s[1] * vectors[e, 0], s @ vectors[e]
-            off = abs(np.arctan2(cross, abs(dot)))
-            if off < turn:
-                best, turn = k, off
-        if best < 0:
-            sums.append(vectors[e].copy())
-            label[e] = len(sums) - 1
-        else:
-            sign[e] = 1.0 if sums[best] @ vectors[e] >= 0 else -1.0
-            sums[best] += sign[e] * vectors[e]
-            label[e] = best
-    return label, sign
+def _one_each(label: Ints, long: Floats, noise: float) -> list[int]:
+    """An edge of each direction and length, sixteen at most."""
+    steps = np.round(long / max(4.0 * noise, 0.01 * float(long.max())))
+    kinds: dict[tuple[int, float], int] = {}
+    for edge, kind in enumerate(zip(label.tolist(), steps.tolist(), strict=True)):
+        kinds.setdefault(kind, edge)
+    return [kinds[kind] for kind in sorted(kinds)][:16]
 
 
 def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
     """Skewed mirror symmetries of the outer ring: coefficients of axis and chord, and how much each is believed.
 
     Under any affine map the chords of a mirror symmetry stay parallel and their middles stay on a line; the two
-    directions were at right angles.
+    directions were at right angles. (2, s, m) coefficients, (s,) beliefs.
     """
     ring = shape[:n] - shape[:n].mean(axis=0)
-    size = float(np.sqrt((ring**2).sum() / n))
-    limit = max(3.0 * noise, 0.004 * size)
-    found, belief = [], []
-    for k in range(n):
-        mate = (k - np.arange(n)) % n
-        chord, middle = ring - ring[mate], 0.5 * (ring + ring[mate])
-        across = np.linalg.svd(chord)[2][0]
-        along = np.linalg.svd(middle)[2][0]
-        miss = max(np.abs(_cross(chord, across)).max(), np.abs(_cross(middle, along)).max())
-        if miss > limit or abs(_cross(along[None], across)[0]) < 0.17:
-            continue
-        rows = np.zeros((2, len(shape)))
-        half = middle @ along
-        rows[0, :n] += half / 2
-        np.add.at(rows[0], mate, half / 2)
-        span = chord @ across
-        rows[1, :n] += span
-        np.add.at(rows[1], mate, -span)
-        found.append(rows / np.abs(rows).sum(axis=1, keepdims=True))
-        belief.append(_SYMMETRY_BELIEF.get((n, k % 2), 0.8))
-    return np.array(found).reshape(-1, 2, len(shape)), np.array(belief)
+    limit = max(3.0 * noise, 0.004 * float(np.sqrt((ring**2).sum() / n)))
+    every = np.arange(n)
+    mates = (every[:, None] - every) % n
+    far = ring[mates]
+    chords, middles = ring - far, 0.5 * (ring + far)
+    across, along = _main_directions(chords), _main_directions(middles)
+    miss = np.maximum(_off(chords, across), _off(middles, along))
+    sine = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
+    found = np.flatnonzero((miss <= limit) & (np.abs(sine) >= 0.17))
+    rows = np.zeros((2, len(found), len(shape)))
+    for at, k in enumerate(found):
+        half = 0.5 * (middles[k] @ along[k])
+        rows[0, at, :n] += half
+        np.add.at(rows[0, at], mates[k], half)
+        span = chords[k] @ across[k]
+        rows[1, at, :n] += span
+        np.add.at(rows[1, at], mates[k], -span)
+    rows /= np.maximum(np.abs(rows).sum(axis=2, keepdims=True), 1e-300)
+    return rows, np.array([_SYMMETRY_BELIEF.get((n, k % 2), 0.8) for k in found.tolist()])
 
 
 #: odds that a symmetry was meant where polygons have it without meaning it: every triangle, every trapezoid (its axis
@@ -253,11 +266,22 @@ def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
 _SYMMETRY_BELIEF = {(3, 0): 0.15, (3, 1): 0.15, (4, 1): 0.2, (4, 0): 0.6}
 
 
-def _cross(vectors: Floats, unit: Floats) -> Floats:
-    cross: Floats = vectors[:, 0] * unit[1] - vectors[:, 1] * unit[0]
-    return cross
+def _main_directions(vectors: Floats) -> Floats:
+    """(n, 2) unit direction along which most of each (n, m, 2) set of vectors lies."""
+    x, y = vectors[..., 0], vectors[..., 1]
+    lean = 0.5 * np.arctan2(2.0 * (x * y).sum(axis=1), (x * x - y * y).sum(axis=1))
+    return np.stack([np.cos(lean), np.sin(lean)], axis=1)
+
+
+def _off(vectors: Floats, along: Floats) -> Floats:
+    """(n,) how far the farthest of each (n, m, 2) set of vectors is from the line along (n, 2)."""
+    away = vectors[..., 0] * along[:, 1, None] - vectors[..., 1] * along[:, 0, None]
+    off: Floats = np.abs(away).max(axis=1)
+    return off
 
 
 def _stretch(shape: Floats, drawn: Floats) -> float:
     """Size of the reference shape over the size of the drawing."""
+    if shape is drawn:
+        return 1.0
     return float(np.linalg.norm(np.ptp(shape, axis=0))) / max(float(np.linalg.norm(np.ptp(drawn, axis=0))), 1e-9)

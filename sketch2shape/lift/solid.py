@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sketch2shape.errors import PointsError
 from sketch2shape.lift.beautify import beautified
-from sketch2shape.lift.box import is_box_like, lean, other_pairs, receding, simplest_pair, standing_pairs, true_pair
+from sketch2shape.lift.box import is_box_like, lean, receding, simplest_pair, standing_pairs, true_pair
 from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
 from sketch2shape.lift.options import LiftOptions
 from sketch2shape.lift.parallel import (
+    ParallelReading,
     axonometric_maps,
     axonometric_shape,
     oblique_shape,
-    read_axonometric,
-    read_oblique,
+    read_parallel,
+    refined_slant,
 )
-from sketch2shape.lift.perspective import facing_shape, perspective_shape
+from sketch2shape.lift.perspective import facing_shape, perspective_shape, seen_by_cameras
 from sketch2shape.lift.projection import Drawing, converges, kind_of, prepare
 from sketch2shape.lift.regularity import find_relations
 from sketch2shape.lift.shape import Shape
@@ -111,39 +112,64 @@ def _by_kind(drawing: Drawing, options: LiftOptions) -> Shape:
     return replace(shape, evidence={**evidence, **shape.evidence})
 
 
+@dataclass(frozen=True)
+class _Pair:
+    """A pair of opposite sides taken as front and back face of a parallel drawing.
+
+    drawing   : with this pair as its faces
+    order     : number of each vertex in the object, None for the pair as given
+    face, d   : (m, 2) the face as both drawn ones have it, (2,) the connecting vector, pixels
+    reading   : how likely it is oblique, and axonometric
+    """
+
+    drawing: Drawing
+    order: Ints | None
+    face: Floats
+    d: Floats
+    reading: ParallelReading
+
+
 def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     """Oblique or axonometric, whichever is more likely; a frustum if `taper` is not 1."""
     # two faces that should be alike tell how shaky the hand was, better than the lines do
     residual = drawing.relation.translation_rms if taper == 1.0 else drawing.relation.homothety_rms
-    drawing = replace(drawing, noise=max(drawing.noise, min(residual, _SHAKIEST * drawing.diagonal)))
-    sizes, noise = drawing.sizes, drawing.noise
-    box = taper == 1.0 and is_box_like(drawing)
-    true, true_order = true_pair(drawing) if box else (drawing, None)
-    views = [(drawing, None), *(other_pairs(drawing) if box else [])]
-    faces = [_mean_face(pair, taper) for pair, _ in views]
-    relations = [find_relations(face, sizes, face, noise) for face, _ in faces]
-    readings = [read_axonometric(*face, r, noise) for face, r in zip(faces, relations, strict=True)]
-    flat = _oblique_odds(true, taper) if true is not drawing else read_oblique(*faces[0], relations[0], noise).odds
-    likeliest = 0
+    noise = max(drawing.noise, min(residual, _SHAKIEST * drawing.diagonal))
+    box = taper == 1.0 and is_box_like(replace(drawing, noise=noise)) and len(drawing.pairs) == 3
+    pairs = [_read_pair(replace(p, noise=noise), order, taper) for p, order in drawing.pairs[: 3 if box else 1]]
+    drawing = pairs[0].drawing
+    true, likeliest = pairs[true_pair(drawing) if box else 0], pairs[0]
     if box:
-        leans = [_lean(pair, r.slant) for (pair, _), r in zip(views, readings, strict=True)]
-        likeliest = max(standing_pairs(drawing), key=lambda k: readings[k].odds - _LEAN * leans[k])
-    odds = flat - max(r.odds for r in readings)
+        likeliest = max((pairs[k] for k in standing_pairs(drawing)), key=lambda p: p.reading.axonometric - _leaning(p))
+    odds = true.reading.oblique - max(p.reading.axonometric for p in pairs)
     oblique = odds >= 0 if options.projection not in ("oblique", "axonometric") else options.projection == "oblique"
-    pair, order = (true, true_order) if oblique else views[likeliest]
+    chosen = true if oblique else likeliest
+    turned, order = chosen.drawing, chosen.order
+    face, d = chosen.face, chosen.d
     if order is not None:
-        pair, order = _front_first(pair, order, drawing.relation.d)
-    face, d = _mean_face(pair, taper)
+        turned, order = _front_first(turned, order, drawing.relation.d)
+        face, d = _mean_face(turned, taper)
     if oblique:
-        shape = oblique_shape(face, sizes, d, options.depth_ratio, noise)
+        shape = oblique_shape(face, drawing.sizes, d, options.depth_ratio, noise)
     else:
-        shape = axonometric_shape(face, sizes, d, readings[likeliest].slant)
-    evidence = {
-        "log_odds": round(float(np.clip(flat if oblique else readings[likeliest].odds, -1e3, 1e3)), 2),
-        "oblique_log_odds": round(float(np.clip(odds, -1e3, 1e3)), 2),
-        **shape.evidence,
-    }
+        shape = axonometric_shape(face, drawing.sizes, d, refined_slant(chosen.reading))
+    own = chosen.reading.oblique if oblique else chosen.reading.axonometric
+    evidence = {"log_odds": _rounded_odds(own), "oblique_log_odds": _rounded_odds(odds), **shape.evidence}
     return replace(shape, taper=taper, order=order, noise=noise, evidence=evidence)
+
+
+def _read_pair(drawing: Drawing, order: Ints | None, taper: float) -> _Pair:
+    face, d = _mean_face(drawing, taper)
+    relations = find_relations(face, drawing.sizes, face, drawing.noise)
+    return _Pair(drawing, order, face, d, read_parallel(face, d, relations, drawing.noise))
+
+
+def _leaning(pair: _Pair) -> float:
+    """Log odds that a pair's face, seen at its slant, costs for being no rectangle."""
+    return _LEAN * lean(pair.face @ axonometric_maps(np.array([pair.reading.slant]), pair.d)[0])
+
+
+def _rounded_odds(odds: float) -> float:
+    return round(min(max(odds, -1e3), 1e3), 2)
 
 
 def _front_first(pair: Drawing, order: Ints, d: Floats) -> tuple[Drawing, Ints]:
@@ -152,33 +178,25 @@ def _front_first(pair: Drawing, order: Ints, d: Floats) -> tuple[Drawing, Ints]:
     return chosen, np.roll(order, 4) if swapped else order
 
 
-def _oblique_odds(drawing: Drawing, taper: float) -> float:
-    face, d = _mean_face(drawing, taper)
-    return read_oblique(face, d, find_relations(face, drawing.sizes, face, drawing.noise), drawing.noise).odds
-
-
-def _lean(pair: Drawing, slant: float) -> float:
-    """How far the face of this pair is from a rectangle if it is seen at this slant, degrees."""
-    face, d = _mean_face(pair, 1.0)
-    return lean(face @ axonometric_maps(np.array([slant]), d)[0])
-
-
 def _converging(drawing: Drawing, sure: bool) -> Shape | None:
     """A prism in perspective; a box by the likeliest pair of its sides. None if it explains no more than shaking would.
 
     sure : it is known to be in perspective
     """
-    readings = [(perspective_shape(drawing), np.arange(2 * len(drawing.first)))]
-    for pair, order in other_pairs(drawing):
-        readings.append((perspective_shape(pair), order))
-    likely = [(shape, order) for shape, order in readings if shape is not None]
-    if not likely:
+    readings = [(seen_by_cameras(pair), pair, order) for pair, order in drawing.pairs if _meets(pair, drawing)]
+    seen, pair, order = max(readings, key=lambda r: float(r[0].odds.max()))
+    shape = perspective_shape(pair, seen)
+    if shape is None:
         return None
-    shape, order = max(likely, key=lambda r: float(r[0].evidence["log_odds"]))
     rss = 2.0 * drawing.first.size * float(shape.evidence["fit_rms_px"]) ** 2
     if not sure and not converges(drawing, rss):
         return None
     return replace(shape, order=order)
+
+
+def _meets(pair: Drawing, given: Drawing) -> bool:
+    """Do the connecting edges of this pair of sides meet in one point, about as well as those of the pair given?"""
+    return pair.relation.centre_rms <= 3.0 * max(given.relation.centre_rms, given.noise)
 
 
 def _scaled(drawing: Drawing, options: LiftOptions) -> Shape:

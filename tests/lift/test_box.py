@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from sketch2shape.lift import lift
+from sketch2shape.lift.projection import prepare
 from sketch2shape.model import TwoFaceObject
 
 PAIRS = [[0, 1, 2, 3, 4, 5, 6, 7], [0, 1, 5, 4, 3, 2, 6, 7], [1, 2, 6, 5, 0, 3, 7, 4]]
@@ -41,3 +42,13 @@ def test_a_leaning_oblique_prism_keeps_its_level_face(pair):
     points = np.concatenate([leaning, leaning + [50, -50]])
     _, vertices = volume_and_family(points, pair)
     assert abs((vertices[1] - vertices[0]) @ (vertices[3] - vertices[0])) == pytest.approx(150 * 40, rel=0.02)
+
+
+def test_no_pair_of_sides_that_cross_themselves_is_tried():
+    """Four-sided rings that are no solid's picture: the faces given are kept, and the solid is not inside out."""
+    face = np.array([[369, 329], [326, 401], [256, 439], [409, 231.0]])
+    back = np.array([[291, 134], [223, 242], [171, 240], [279, 78.0]])
+    assert lift(TwoFaceObject(face, back)).volume > 0
+    bow = np.array([[200, 200], [300, 200], [310, 120], [290, 260.0]])
+    assert len(prepare(TwoFaceObject(face, face + [60, -60])).pairs) == 3
+    assert len(prepare(TwoFaceObject(face, bow)).pairs) == 1

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.lift.regularity import find_relations, parallel_classes, score
+from sketch2shape.lift.regularity import bearings, candidates, find_relations, score
 
 SQUARE = np.array([[0, 0], [100, 0], [100, 100], [0, 100.0]])
 ARROW = np.array([[0, 30], [60, 30], [60, 0], [110, 50], [60, 100], [60, 70], [0, 70.0]])
@@ -13,7 +13,8 @@ def odds(shape, stretches, noise=0.5):
     t = np.array([np.cos(0.6), np.sin(0.6)])
     maps = np.eye(2) + (np.array(stretches)[:, None, None] - 1.0) * np.outer(t, t)
     relations = find_relations(shape, [len(shape)], shape, noise)
-    return score(relations, np.einsum("mi,gij->gmj", shape, maps), maps, noise)
+    found = candidates(relations, shape @ maps, maps)
+    return score(relations, found, bearings(relations, found, noise), noise)
 
 
 @pytest.mark.parametrize("shape", [SQUARE, ARROW, PENTAGON])
@@ -27,11 +28,21 @@ def test_more_noise_says_less():
     assert odds(SQUARE, [1.0], noise=0.3)[0] > odds(SQUARE, [1.0], noise=3.0)[0]
 
 
-def test_parallel_edges_are_one_class_whatever_their_sense():
-    vectors = np.array([[10, 0.1], [0, 7], [-20, 0], [0.05, -9], [5, 5.0]])
-    label, sign = parallel_classes(vectors, np.hypot(*vectors.T), 0.2)
-    assert label[0] == label[2]
-    assert label[1] == label[3]
-    assert len(set(label.tolist())) == 3
-    assert sign[0] == -sign[2]
-    assert sign[1] == -sign[3]
+def test_the_spread_of_a_bearing_is_what_shaking_the_drawing_gives():
+    relations = find_relations(ARROW, [7], ARROW, 0.5)
+    maps = np.array([[[1.8, 0.3], [-0.2, 0.7]]])
+    rng = np.random.default_rng(0)
+    shaken = (ARROW + rng.normal(0, 0.5, (4000, 7, 2))) @ maps[0]
+    angle = bearings(relations, candidates(relations, shaken, np.repeat(maps, 4000, axis=0)), 0.5).angle
+    (spread,) = bearings(relations, candidates(relations, ARROW @ maps, maps), 0.5).spread
+    k = len(relations.edges)
+    wobble = np.unwrap(angle[:, :k] - angle[0, :k], axis=0)
+    assert spread[:k] == pytest.approx(wobble.std(axis=0), rel=0.1)
+
+
+def test_a_symmetric_face_shows_its_axis():
+    relations = find_relations(ARROW, [7], ARROW, 0.5)
+    assert len(relations.belief) == 1
+    axis, chord = (relations.rows @ ARROW)[len(relations.edges) :][:2]
+    assert axis[1] == pytest.approx(0.0, abs=1e-9)
+    assert chord[0] == pytest.approx(0.0, abs=1e-9)
