@@ -24,10 +24,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from sketch2shape.connect.connection import Walk
 from sketch2shape.connect.points import check_distinct
+from sketch2shape.connect.sorting import sorted_pieces
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Bools, Floats, Ints
 
@@ -71,7 +72,8 @@ def split_walk(points: Floats, *, axis: Axis = "y") -> Walk:
     axis : "y" splits at the mean y and walks along x, "x" splits at the mean x and walks along y
     Raises UsageError for another axis, PointsError for duplicates.
     """
-    order, columns_tied, middle_empty = _order(*_axes(points, axis))
+    walk, split = _columns(axis)
+    order, columns_tied, middle_empty = _order(points[:, walk], points[:, split])
     met = ["every point is used"]
     violated: list[str] = []
     (violated if columns_tied else met).append(
@@ -91,93 +93,45 @@ def _columns(axis: Axis) -> tuple[int, int]:
     return (0, 1) if axis == "y" else (1, 0)
 
 
-def _axes(points: Floats, axis: Axis) -> tuple[Floats, Floats]:
-    walk, split = _columns(axis)
-    return np.ascontiguousarray(points[:, walk]), np.ascontiguousarray(points[:, split])
-
-
 def _order(x: Floats, y: Floats) -> tuple[Ints, bool, bool]:
-    """The ring order, whether a region had ties, and whether r1 is the seed alone."""
-    ranked, xs, ys = sort_by_x_then_y(x, y)
-    if _equal_neighbours(xs, ys):
-        check_distinct(np.column_stack((x, y)), ranked)
-    first = ys <= y.mean()
-    lone = not bool(first[1:].any())
-    first[0] = True  # the seed is in r1, wherever it lies
-    chains, tied = [], False
-    for region in (first, ~first):
-        members = ranked[region]
-        walked = _walk(xs[region], ys[region], seed=(float(xs[0]), float(ys[0])))
-        tied |= walked is not None
-        chains.append(members if walked is None else members[walked])
-    return np.concatenate((chains[0], chains[1][::-1])), tied, lone
+    """The ring order, whether a region had ties, and whether r1 is the seed alone.
+
+    Piece by piece, so that what is worked on stays in the processor's caches: all that a walk needs to go on in the
+    next piece is where it is. r1 fills the order from the front, r2 from the back.
+    """
+    middle = float(y.mean())
+    order = np.empty(len(x), dtype=np.intp)
+    taken, tied, here = [0, 0], False, list[tuple[float, float]]()
+    for members, xs, ys in sorted_pieces(x, y):
+        if _equal_neighbours(xs, ys):
+            check_distinct(np.column_stack((x, y)))
+        first = ys <= middle
+        if not here:
+            first[0] = True  # the seed is in r1, wherever it lies
+            here = [(float(xs[0]), float(ys[0]))] * 2
+        for k, region in enumerate((first, ~first)):
+            chain, across, up = members[region], xs[region], ys[region]
+            if not len(chain):
+                continue
+            walked = _walk(across, up, seed=here[k])
+            tied |= walked is not None
+            here[k] = (float(across[-1]), float(up[-1 if walked is None else walked[-1]]))
+            _fill(order, chain if walked is None else chain[walked], taken[k], backwards=k == 1)
+            taken[k] += len(chain)
+    return order, tied, taken[0] == 1
+
+
+def _fill(order: Ints, chain: Ints, taken: int, *, backwards: bool) -> None:
+    """Write a chain into the order, after `taken` places from the front, or backwards before those from the end."""
+    if backwards:
+        end = len(order) - taken
+        order[end - len(chain) : end] = chain[::-1]
+    else:
+        order[taken : taken + len(chain)] = chain
 
 
 def _equal_neighbours(xs: Floats, ys: Floats) -> bool:
     return bool(((xs[1:] == xs[:-1]) & (ys[1:] == ys[:-1])).any())
-
-
-# ---------------------------------------------------------------- list initialisation
-
-
-def sort_by_x_then_y(x: Floats, y: Floats) -> tuple[Ints, Floats, Floats]:
-    """(n,) indices that sort by x, equal x by y; and the sorted x and y.
-
-    Strategy: pack x, y and the index into one unsigned 64-bit number and sort those: no gathers, and linear in
-    practice. Coordinates that are not whole numbers, or too wide, are first mapped to as many integer levels as fit;
-    only the few that share a level are then sorted exactly.
-    """
-    n = len(x)
-    if n < 256:
-        order = np.lexsort((y, x))
-        return order, x[order], y[order]
-    bits, low, y_low = int(n - 1).bit_length(), x.min(), y.min()
-    span, tall = x.max() - low, int(y.max() - y_low).bit_length()
-    if int(span).bit_length() + tall + bits <= 64:
-        across, up = _whole(x, low), _whole(y, y_low)
-        if across is not None and up is not None:
-            return _sort_packed(across, up, tall, bits, (low, y_low))
-    scale = float(2 ** min(64 - bits, 52) - 1) / span
-    keys = _sorted_keys(((x - low) * scale).astype(np.uint64), bits)
-    order = _settle_ties((keys & np.uint64((1 << bits) - 1)).astype(np.intp), keys >> np.uint64(bits), x, y)
-    return order, x[order], y[order]
-
-
-def _whole(values: Floats, low: float) -> NDArray[np.uint64] | None:
-    """The values above the lowest as whole numbers, or None if some are not whole."""
-    above = (values - low).astype(np.uint64)
-    return above if float(low).is_integer() and bool((above + low == values).all()) else None
-
-
-def _sort_packed(
-    x: NDArray[np.uint64], y: NDArray[np.uint64], tall: int, bits: int, low: tuple[float, float]
-) -> tuple[Ints, Floats, Floats]:
-    x <<= np.uint64(tall)
-    x |= y
-    keys = _sorted_keys(x, bits)
-    order = (keys & np.uint64((1 << bits) - 1)).astype(np.intp)
-    keys >>= np.uint64(bits)
-    ys = (keys & np.uint64((1 << tall) - 1)).astype(np.float64) + low[1]
-    keys >>= np.uint64(tall)
-    return order, keys.astype(np.float64) + low[0], ys
-
-
-def _sorted_keys(keys: NDArray[np.uint64], bits: int) -> NDArray[np.uint64]:
-    """Sorted keys, each with its index in the lowest bits. Overwrites `keys`."""
-    keys <<= np.uint64(bits)
-    keys |= np.arange(len(keys), dtype=np.uint64)
-    keys.sort()
-    return keys
-
-
-def _settle_ties(order: Ints, level: NDArray[np.uint64], x: Floats, y: Floats) -> Ints:
-    """Sort exactly within each run of points that share a level."""
-    equal = level[1:] == level[:-1]
-    tied = np.flatnonzero(np.r_[equal, False] | np.r_[False, equal])
-    if len(tied):
-        members = order[tied]
-        order[tied] = members[np.lexsort((y[members], x[members]))]
-    return order
 
 
 # ---------------------------------------------------------------- walking

@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sketch2shape.connect import connect, connect_detailed, split_walk_preconditions
-from sketch2shape.connect.split_walk import sort_by_x_then_y
+from sketch2shape.connect import connect, connect_detailed, sorting, split_walk_preconditions
 from sketch2shape.errors import PointsError, UsageError
 
 
@@ -76,22 +75,6 @@ def test_equal_x_takes_the_smaller_angle_first():
     assert connect(points, "split-walk").tolist()[:3] == [0, 2, 1]
 
 
-@pytest.mark.parametrize("n", [255, 256, 5000])
-@pytest.mark.parametrize("kind", ["whole", "wide", "fractions", "few levels"])
-def test_packed_sort_equals_lexsort(n, kind):
-    rng = np.random.default_rng(n)
-    x, y = {
-        "whole": lambda: rng.integers(-50, 50, (2, n)).astype(float),
-        "wide": lambda: rng.integers(-(2**40), 2**40, (2, n)).astype(float),
-        "fractions": lambda: rng.normal(0, 1, (2, n)),
-        "few levels": lambda: np.r_[rng.integers(0, 4, n) * 1e-14, rng.normal(0, 1, n)].reshape(2, n),
-    }[kind]()
-    order, xs, ys = sort_by_x_then_y(x, y)
-    assert np.array_equal(order, np.lexsort((y, x)))
-    assert np.array_equal(xs, x[order])
-    assert np.array_equal(ys, y[order])
-
-
 def test_the_vector_form_on_more_points_than_fit_one_register():
     rng = np.random.default_rng(9)
     points = np.unique(rng.integers(0, 60, (1500, 2)), axis=0)
@@ -99,6 +82,17 @@ def test_the_vector_form_on_more_points_than_fit_one_register():
     for moved in (points, points - 30, points + 0.25, points * 0.1):
         rows = [tuple(row) for row in moved.tolist()]
         assert connect(moved, "split-walk").tolist() == literal(rows)
+
+
+@pytest.mark.parametrize("size", [1, 7, 64])
+def test_a_walk_goes_on_from_piece_to_piece(monkeypatch, size):
+    monkeypatch.setattr(sorting, "PIECE", size)
+    rng = np.random.default_rng(size)
+    for high in (8, 40):
+        points = np.unique(rng.integers(0, (60, high), (400, 2)), axis=0)
+        for moved in (points, points * 0.1):
+            shuffled = rng.permutation(moved)
+            assert connect(shuffled, "split-walk").tolist() == literal([tuple(row) for row in shuffled.tolist()])
 
 
 def test_duplicates_among_many_are_found():
