@@ -62,7 +62,7 @@ def test_a_corrected_report_is_taken_by_the_command(drawings, tmp_path):
     picture = str(drawings / "sub" / "steps.png")
     assert main([picture, "-o", "a.obj", "--json"]) == 0
     report = json.loads((tmp_path / "a.json").read_text())
-    report["objects"][0]["f1"] = [[x + 30, y] for x, y in report["objects"][0]["f1"]]
+    report["objects"][0]["f1"] = [[round(x + 30, 3), y] for x, y in report["objects"][0]["f1"]]
     (tmp_path / "fix.json").write_text(json.dumps(report))
     assert main([picture, "-o", "b.obj", "--json", "--vertices", "fix.json"]) == 0
     again = json.loads((tmp_path / "b.json").read_text())
