@@ -54,7 +54,7 @@ def read_ground(pixels: Gray) -> Ground:
     seen, scale = at_working_size(pixels if coloured else _gray(pixels))
     gray = _gray(seen) if coloured else seen
     ground = _frame_level(gray)
-    levels = _levels(gray[::2])
+    levels = _levels(gray[::4])
     clean = bool(levels[ground] > CLEAN * levels.sum())
     even = _is_even(levels if clean else _levels(_without_noise(gray)), ground)
     dark = _is_dark(gray, levels, ground, even)

@@ -61,7 +61,8 @@ def find_ink(picture: Picture) -> Ink:
     mask[frame] = drawn
     inked = part[drawn]
     peak = float(np.percentile(inked, 90)) if len(inked) else 255.0
-    strength[frame] = np.minimum(part * np.float32(1.0 / max(peak, 1.0)), 1.0)
+    np.multiply(part, np.float32(1.0 / max(peak, 1.0)), out=strength[frame])
+    np.minimum(strength[frame], 1.0, out=strength[frame])
     return Ink(mask=mask, strength=strength, pen_width=pen_width_of(drawn), scale=scale, page=page)
 
 

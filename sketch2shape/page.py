@@ -56,8 +56,9 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     ink = cv2.resize(mask.astype(np.float32), paper.shape[::-1], interpolation=cv2.INTER_AREA)
     grain = cv2.blur(ink, (9, 9)) > 1.4 * TEXTURE
     smooth = ((step <= np.maximum(3.0, STEP * 2 * paper)) & ~grain).astype(np.uint8)
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(smooth, connectivity=4)
-    if count < 2 or stats[1:, cv2.CC_STAT_AREA].max() > 0.97 * paper.size:
+    count, labels = cv2.connectedComponents(smooth, connectivity=4)
+    sizes = np.bincount(labels.ravel(), minlength=count)
+    if count < 2 or sizes[1:].max() > 0.97 * paper.size:
         return None
     inner = labels * cv2.erode(smooth, np.ones((5, 5), np.uint8))  # the rim holds what is left of the step
     held = np.bincount(inner.ravel(), weights=ink.ravel(), minlength=count)
@@ -69,7 +70,7 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     rim = np.bincount(np.r_[labels[0], labels[-1], labels[:, 0], labels[:, -1]], minlength=count)
     whole = empty & (rim == 0) & (area > 0.08 * paper.size) & (held > 0.5 * held[empty].sum())
     main = int(np.argmax(np.where(whole if whole.any() else empty, area, 0.0)))
-    strip = rim**2 > 9.0 * stats[:, cv2.CC_STAT_AREA]  # table along the picture's frame
+    strip = rim**2 > 9.0 * sizes  # table along the picture's frame
     kept = empty & ~strip & (held >= INK_SHARE * max(held[main], 1.0)) & (area > 0.02 * paper.size)
     kept[main] = True
     region = cv2.morphologyEx(kept[labels].astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))

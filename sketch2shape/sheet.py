@@ -100,16 +100,22 @@ def _cut(ink: Ink, corner: Floats, pieces: Pieces, mine: Bools, box: tuple[int, 
     x0, y0, x1, y1 = box
     size = float(np.hypot(x1 - x0, y1 - y0))
     mine[0] = False
-    part = pieces.label[y0:y1, x0:x1]
     large = mine & (pieces.extent >= CLUTTER * size)
-    mask = mine[part]
-    strength = _framed(np.asarray(ink.strength[y0:y1, x0:x1] * mask, np.float32))
+    mask, solid = (_pixels_of(pieces.label[y0:y1, x0:x1], some) for some in (mine, large))
+    strength = np.asarray(ink.strength[y0:y1, x0:x1] * mask, np.float32)
     return Group(
-        replace(ink, mask=_framed(mask.view(np.uint8)).view(np.bool_), strength=strength),
+        replace(ink, mask=_framed(mask).view(np.bool_), strength=_framed(strength)),
         corner + [x0 - MARGIN, y0 - MARGIN],
-        _framed(large[part].view(np.uint8)).view(np.bool_),
+        _framed(solid).view(np.bool_),
         size,
     )
+
+
+def _pixels_of(label: NDArray[np.int32], some: Bools) -> NDArray[np.uint8]:
+    """0/1 map of some of the pieces."""
+    if some[1:].all():
+        return np.asarray(label > 0).view(np.uint8)
+    return some.view(np.uint8).take(label)
 
 
 def _framed(plane: NDArray[Any]) -> NDArray[Any]:
