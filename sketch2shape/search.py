@@ -116,7 +116,8 @@ def find(group: Group) -> Found | None:
     poor: Attempt | None = None
     good_since = 99
     before: list[Attempt] = []
-    for k, attempt in enumerate(_attempts(group, skeleton)):
+    for attempt in _attempts(group, skeleton):
+        k = attempt.number
         if attempt.score >= POOR:
             best = _better(best, _best_of(attempt), 0.004 * k)
         elif poor is None or attempt.score > poor.score:
@@ -140,12 +141,10 @@ def _is_scribble(attempt: Attempt) -> bool:
 
 
 def _is_settled(attempt: Attempt, before: list[Attempt]) -> bool:
-    """Whether a third round in a row finds the same object, all of it drawn: the ink left over is none of it."""
-    near = attempt.sheet.reach
-    return (
-        attempt.is_sound
-        and len(before) >= 2
-        and all(b.shortlist and _alike(attempt.best, b.best, near) for b in before[-2:])
+    """Whether a clearly wider search finds the same object, all of it drawn: the ink left over is none of it."""
+    reach = attempt.sheet.reach
+    return attempt.is_sound and any(
+        b.is_sound and 1.5 * b.sheet.reach < reach and _alike(attempt.best, b.best, reach) for b in before
     )
 
 
@@ -160,6 +159,7 @@ def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> F
 class Attempt:
     """The outcome of one round, before refinement: the best few hypotheses, the best first."""
 
+    number: int
     traced: Traced
     shortlist: list[Judged]
     sheet: Sheet
@@ -181,21 +181,23 @@ class Attempt:
 
 
 def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
-    """Round after round."""
+    """Round after round, but for those that promise nothing new."""
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
     traced = Traced(group, skeleton, 0.0)
+    last: Attempt | None = None
     for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
         if k and tolerant.reach > COARSEST * narrow:
             break
         if traced.tolerance != tolerant.trace:
             traced = Traced(group, skeleton, tolerant.trace)
-        if k == 0 and traced.wobble > UNSTEADY:
+        if (k == 0 and traced.wobble > UNSTEADY) or (k == 1 and last is not None and last.is_sound):
             continue
-        yield _attempt(traced, tolerant)
+        last = _attempt(traced, tolerant, k)
+        yield last
 
 
-def _attempt(traced: Traced, tolerant: Round) -> Attempt:
+def _attempt(traced: Traced, tolerant: Round, number: int) -> Attempt:
     skeleton, pen = traced.skeleton, traced.skeleton.pen_width
     graph = corner_graph(skeleton, vertex_candidates(traced.strokes, tolerant, pen), tolerant.reach)
     sheet = sheet_for(traced.group, skeleton, tolerant.reach)
@@ -206,7 +208,7 @@ def _attempt(traced: Traced, tolerant: Round) -> Attempt:
         best = shortlist(caps.caps(graph, traced.regions, pen), sheet, best)
         if tolerant.loose and (not best or best[0][1].score < GOOD):
             best = shortlist(caps.loose_caps(graph, traced.regions, pen), sheet, best)
-    return Attempt(traced, best, sheet)
+    return Attempt(number, traced, best, sheet)
 
 
 def _best_of(attempt: Attempt) -> Found | None:

@@ -12,12 +12,14 @@ from itertools import islice
 import numpy as np
 
 from sketch2shape.rings import Rings, stack, which_plausible
-from sketch2shape.verify import Evidence, Sheet, judge_stack, which_worth_judging
+from sketch2shape.verify import Evidence, Sheet, judge_stack, most_possible
 
 SHORTLIST = 5
 MOST_HYPOTHESES = 160
 PERFECT = 0.995
 LARGEST_BATCH = 24
+LEAST = 0.5
+"""Hypotheses that cannot reach this score are not judged: refinement would not save them."""
 
 Judged = tuple[Rings, Evidence]
 
@@ -58,6 +60,6 @@ def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
         index = [k for k, r in enumerate(batch) if r.sizes == sizes]
         alike = stack([batch[k] for k in index])
         ok = np.flatnonzero(which_plausible(alike, 1.5 * sheet.pen))
-        ok = ok[which_worth_judging(alike.some(ok), sheet)]
+        ok = ok[most_possible(alike.some(ok), sheet) >= LEAST]
         found.update(zip([index[k] for k in ok], judge_stack(alike.some(ok), sheet), strict=True))
     return [(batch[k], found[k]) for k in sorted(found)]

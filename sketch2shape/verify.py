@@ -23,6 +23,10 @@ MOST_POINTS = 2000
 """Skeleton pixels that are compared, at most."""
 FIRST_LOOK = 16
 """Samples of an edge at the first, quick look."""
+NOTABLE = 0.06
+"""Length of a front edge, as a part of the longest, below which its ink is not asked for."""
+SLACK = 1.3
+"""How much more ink an edge may cover than the part of its length with ink: crossings, the ends of other lines."""
 _FIRST = ((np.arange(FIRST_LOOK) + 0.5) / FIRST_LOOK)[:, None]
 
 
@@ -55,6 +59,7 @@ class Sheet:
     weights  : (k,) float, weight of each
     reach    : pixels a drawn line may be away from the predicted one
     pen      : pen width, pixels
+    step     : skeleton pixels for each of the points
     """
 
     distance: NDArray[np.float32]
@@ -62,11 +67,17 @@ class Sheet:
     weights: Floats
     reach: float
     pen: float
+    step: float = 1.0
 
     @cached_property
     def size(self) -> float:
         """Diagonal of the ink's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.points, axis=0))) if len(self.points) else 1.0
+
+    @cached_property
+    def ink(self) -> float:
+        """Length of all ink, pixels, what may be letters counted for little."""
+        return float(self.weights.sum()) * self.step + 1e-9
 
     @cached_property
     def near(self) -> Bools:
@@ -88,20 +99,27 @@ class Sheet:
         return np.asarray(self.near.ravel().take((y * (w + 2) + x).astype(np.intp)))
 
 
-def which_worth_judging(stacked: Stack, sheet: Sheet) -> Bools:
-    """(b,) bool, a quick first check: the front is seen whole, and so are two connecting edges and one of the back."""
+def most_possible(stacked: Stack, sheet: Sheet) -> Floats:
+    """(b,) float, at a quick first look: the score that each hypothesis can reach at most.
+
+    The front is always seen whole, so its weakest edge limits the score; ink of which the edges touch little is not
+    explained. Two connecting edges and one of the back have to be drawn.
+    """
     v, frame = stacked.vertices, stacked.frame
     m = v.shape[1] // 2
     around = np.arange(m)
     # front edges, connecting edges, back edges
     start = np.concatenate([around, around, around + m])
     end = np.concatenate([frame.after, around + m, frame.after + m])
-    a = v[:, start, None]
-    share = sheet.inked(a + _FIRST * (v[:, end, None] - a)).mean(axis=2).reshape(len(v), 3, m)
-    step = v[:, frame.after] - v[:, :m]
-    length = np.sqrt(np.einsum("...k,...k", step, step))
-    whole = (share[:, 0] * length).sum(axis=1) >= 0.6 * length.sum(axis=1)
-    return np.asarray(whole & ((share[:, 1] > 0.35).sum(axis=1) >= 2) & (share[:, 2] > 0.35).any(axis=1))
+    a, span = v[:, start, None], v[:, end] - v[:, start]
+    share = sheet.inked(a + _FIRST * span[:, :, None]).mean(axis=2).reshape(len(v), 3, m)
+    length = np.sqrt(np.einsum("...k,...k", span, span)).reshape(len(v), 3, m)
+    front = length[:, 0]
+    whole = (share[:, 0] * front).sum(axis=1) >= 0.6 * front.sum(axis=1)
+    ok = whole & ((share[:, 1] > 0.35).sum(axis=1) >= 2) & (share[:, 2] > 0.35).any(axis=1)
+    weakest = np.where(front > NOTABLE * front.max(axis=1, keepdims=True), share[:, 0], 1.0).min(axis=1)
+    explained = np.minimum(1.0, SLACK * (share * length).sum(axis=(1, 2)) / sheet.ink)
+    return np.asarray(ok * 2 * explained / (1 + explained) * np.minimum(1.0, 0.5 + 0.5 * (weakest + 0.1) / 0.75))
 
 
 def judge(rings: Rings, sheet: Sheet) -> Evidence:
@@ -238,4 +256,4 @@ def _drawn(lit: Bools, frame: Frame) -> Bools:
 def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Floats, reach: float, pen: float) -> Sheet:
     """A sheet with at most MOST_POINTS of the skeleton's points."""
     some = thinned(len(points), MOST_POINTS)
-    return Sheet(distance, points[some], weights[some], reach, pen)
+    return Sheet(distance, points[some], weights[some], reach, pen, len(points) / max(len(some), 1))
