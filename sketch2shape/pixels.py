@@ -85,7 +85,8 @@ def scale_integers(samples: NDArray[Any]) -> Pixels:
     if samples.size and int(samples.min()) < 0:
         samples = samples - samples.min()
     top = max(255, (1 << int(samples.max()).bit_length()) - 1) if samples.size else 255
-    return np.asarray(np.rint(samples * (255.0 / top)), np.uint8)
+    scaled = samples * np.float64(255.0 / top)
+    return np.rint(scaled, out=scaled).astype(np.uint8)
 
 
 def over_ground(rgba: NDArray[np.uint8]) -> Pixels:
