@@ -24,6 +24,12 @@ SMALL_SIDE = 300
 """Pictures with a shorter long side are enlarged so that junctions separate."""
 CLEAN = 0.6
 """Share of the pixels that have exactly the level of the margin, from which there is no noise."""
+MAP_SIDE = 128
+"""Long side of the map on which a table, a shadow or a page is looked for, pixels."""
+TABLE = 0.08
+"""Share of the picture, and of its rim, from which another level is a table or a shadow, no face and no scan's edge."""
+PAGE = 0.35
+"""Share of the picture from which a quadrilateral is a page, no face."""
 FEW_LEVELS = 12
 """A picture nine tenths of which have fewer grey levels than this was not lit by a lamp."""
 COLOUR_SHARE = 0.6
@@ -57,6 +63,7 @@ def read_ground(pixels: Gray) -> Ground:
     levels = _levels(gray[::4])
     clean = bool(levels[ground] > CLEAN * levels.sum())
     even = _is_even(levels if clean else _levels(_without_noise(gray)), ground)
+    even = even and (clean or not _lies_on_table(gray, ground))
     dark = _is_dark(gray, levels, ground, even)
     beyond = levels[: max(0, ground - 24)] if dark else levels[ground + 25 :]
     even = even and bool(beyond.sum() < 0.2 * levels.sum())  # else the frame shows the table, and the page lies on it
@@ -127,6 +134,32 @@ def _is_even(levels: Counts, ground: int) -> bool:
     hump = levels[max(0, ground - 24) : ground + 25].sum()
     narrow = peak > 0.85 * hump and peak > 0.3 * fullest[-1]
     return bool(narrow or np.searchsorted(fullest, 0.9 * fullest[-1]) < FEW_LEVELS)
+
+
+def _lies_on_table(gray: Gray, ground: int) -> bool:
+    """Something wide has another level: a table or a shadow that runs into the frame, or a page amidst a table."""
+    h, w = gray.shape
+    coarse = _reduced(gray, min(1.0, MAP_SIDE / max(h, w)))
+    other = _u8(cv2.threshold(cv2.absdiff(coarse, np.full_like(coarse, ground)), 24, 1, cv2.THRESH_BINARY)[1])
+    wide = _u8(cv2.morphologyEx(other, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8)))
+    _, labels = cv2.connectedComponents(wide, connectivity=4)
+    area = np.bincount(labels.ravel()) / wide.size
+    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+    along = np.bincount(rim, minlength=len(area)) / len(rim)
+    area[0] = 0.0
+    if np.any((area > TABLE) & (along > TABLE)):
+        return True
+    largest = int(np.argmax(area))
+    return bool(area[largest] > PAGE and _corners_of(_u8(labels == largest)) == 4)
+
+
+def _corners_of(region: Gray) -> int:
+    """Number of corners of the convex hull of a region; 0 if it does not fill its hull."""
+    contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
+    hull = cv2.convexHull(np.concatenate(contours))
+    if cv2.contourArea(hull) > 1.1 * sum(cv2.contourArea(c) for c in contours):
+        return 0
+    return len(cv2.approxPolyDP(hull, 0.03 * cv2.arcLength(hull, True), True))
 
 
 def _frame_level(gray: Gray) -> int:

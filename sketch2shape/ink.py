@@ -42,7 +42,8 @@ def find_ink(picture: Picture) -> Ink:
     scale = ground.scale / picture.reduction
     contrast, noise, page, on_page = ground.contrast, ground.noise, None, None
     if ground.paper is not None:
-        on_page, corners = find_page(ground.paper, ink_mask(contrast, max(FLOOR, 5.0 * noise)))
+        marked = max(FLOOR, 5.0 * noise, paper_marks(contrast))
+        on_page, corners = find_page(ground.paper, ink_mask(contrast, marked))
         if on_page is not None:
             contrast = np.where(on_page, contrast, np.uint8(0))
             noise = noise_of(contrast, on_page)

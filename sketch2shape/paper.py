@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools
+from sketch2shape.model import Bools, Floats
 from sketch2shape.pen import rough_pen_width
 
 Gray = NDArray[np.uint8]
@@ -24,6 +24,8 @@ CLEAR_STEP = 1.12
 """Ratio of contrasts between neighbouring tiles, in order of contrast, that parts marks from ink."""
 SOLID = 0.93
 """Share of ink on the lines of a band along the frame."""
+WIDE_STEP = 1.5
+"""The first ratio as large as this parts them, whatever comes later: ink may be faint and strong."""
 PARTS = 4
 """A mark must be in at least three of the PARTS x PARTS parts of a tile."""
 
@@ -93,20 +95,29 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
         tallest = tallest[np.asarray(share).ravel() > 0.8 * 255]
         if len(tallest) < TILES:
             return 0.0
+    tallest = np.sort(tallest)
     low, high = np.percentile(tallest, (12, 95))
     if low == 0.0:
         return 0.0
     if low > 0.86 * high:
         return 1.2 * float(high) if high < PALE else 0.0
-    paper = np.sort(tallest[tallest < 1.6 * low + 4])
-    if len(paper) < 0.92 * len(tallest):
-        return 1.2 * float(np.percentile(paper, 95))
-    steps = (paper[1:] + 1.0) / (paper[:-1] + 1.0)
-    later = np.arange(len(steps)) > 0.12 * len(tallest)
-    widest = int(np.argmax(np.where(later, steps, 0.0))) if later.any() else 0
-    if later.any() and steps[widest] > CLEAR_STEP and low > 20.0:  # ink hardly stronger than the marks
-        return float(np.sqrt(paper[widest] * paper[widest + 1]))
-    return 1.2 * float(np.percentile(paper, 95))
+    return _split(tallest, float(low))
+
+
+def _split(tallest: Floats, low: float) -> float:
+    """Contrast that parts the marks of the paper from ink, by the contrasts of the tiles in rising order.
+
+    low : contrast of a tile that surely holds marks only
+    """
+    steps = np.append((tallest[1:] + 1.0) / (tallest[:-1] + 1.0), 1.0)
+    steps[(tallest > 2.2 * low + 4) | (np.arange(len(steps)) <= 0.12 * len(steps))] = 0.0
+    last = int(np.argmax(np.where(steps > WIDE_STEP, WIDE_STEP, steps)))
+    if steps[last] > CLEAR_STEP and low > 20.0:
+        between = float(np.sqrt(tallest[last] * tallest[last + 1]))
+        return min(between, 1.2 * float(np.percentile(tallest[: last + 1], 95)))
+    alike = tallest < 1.6 * low + 4
+    top = float(np.percentile(tallest[alike], 95))
+    return 1.2 * top if top < PALE or not alike.all() else 0.0
 
 
 def without_bands(contrast: Gray, floor: float) -> Gray:

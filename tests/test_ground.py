@@ -45,6 +45,31 @@ def test_uneven_light(lowest: float) -> None:
     assert agrees((image * light).astype(np.uint8), drawn)
 
 
+def grainy(image: np.ndarray) -> np.ndarray:
+    noise = np.random.default_rng(4).normal(0, 2, image.shape[:2])
+    return np.clip(image + noise[..., None], 0, 255).astype(np.uint8)
+
+
+def test_a_hard_shadow_from_the_frame_is_no_filled_face() -> None:
+    image, drawn = page((235, 235, 235), (60, 60, 60))
+    shadow = cv2.fillPoly(np.zeros(image.shape[:2]), [np.array([[500, 0], [500, 330], [230, 150], [300, 0]])], 1.0)
+    lit = 1.0 - 0.45 * cv2.GaussianBlur(shadow, (0, 0), 2.0)
+    mask = find_ink(Picture(grainy(image * lit[..., None]))).mask
+    near = cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    assert (mask & ~near).sum() < 0.02 * drawn.sum()
+
+
+@pytest.mark.parametrize("table", [50, 130])
+def test_a_page_on_an_even_table_is_no_filled_face(table: int) -> None:
+    image, drawn = page((235, 235, 235), (60, 60, 60))
+    wide = np.full((600, 760, 3), table, np.uint8)
+    wide[90:490, 130:630] = image
+    mask = find_ink(Picture(grainy(wide))).mask[90:490, 130:630]
+    assert mask[drawn].mean() > 0.97
+    near = cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    assert not (mask & ~near).any()
+
+
 def test_the_edge_of_a_shadow_is_no_ink() -> None:
     image, drawn = page((235, 235, 235), (50, 50, 50))
     y, x = np.mgrid[:400, :500]

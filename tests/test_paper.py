@@ -43,6 +43,29 @@ def test_printed_marks_are_no_ink(paper: np.ndarray) -> None:
     assert not (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).any()
 
 
+@pytest.mark.parametrize("spacing", [11, 24])
+def test_squares_nearly_as_strong_as_the_pencil_are_no_ink(spacing: int) -> None:
+    rng = np.random.default_rng(2)
+    image = np.full((400, 560), 235.0)
+    image[::spacing], image[:, ::spacing] = 150, 150
+    drawn = cv2.polylines(np.zeros(image.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
+    image[drawn] = 92
+    image += rng.normal(0, 2, image.shape)
+    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
+    assert mask[drawn].mean() > 0.97
+    assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.01 * drawn.sum()
+
+
+def test_dots_as_dark_as_the_pencil_do_not_take_it_away() -> None:
+    image = np.full((400, 560), 250, np.uint8)
+    for y in range(8, 400, 16):
+        for x in range(8, 560, 18):
+            cv2.circle(image, (x, y), 1, 120, -1)
+    drawn = cv2.polylines(np.zeros(image.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
+    image[drawn] = 115
+    assert find_ink(Picture(np.dstack([image] * 3))).mask[drawn].mean() > 0.97
+
+
 def test_empty_squared_paper_has_no_ink() -> None:
     assert not find_ink(Picture(np.dstack([squared(24)] * 3))).mask.any()
 
