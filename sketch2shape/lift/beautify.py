@@ -27,6 +27,12 @@ _NEAR = 2.5
 #: part of an edge, and of the area, that must be left
 _KEPT = 0.5
 
+#: prior odds that two lengths of an object are equal, and the range of the logarithm of their ratio if they are not
+_ALIKE, _RANGE = 0.05, 3.0
+
+#: prior odds that a direction is at right angles, or at another of the rounded angles, to the main one
+_RIGHT, _OTHER = 0.45, 0.05
+
 #: damping of the constraints, part of their mean square
 _DAMPING = 1e-10
 
@@ -125,10 +131,10 @@ def _rounded(edges: _Edges) -> Floats:
     weight = square / np.maximum(edges.spread, 1e-9) ** 2
     lean = edges.angle[main] + float((weight * off).sum() / weight.sum())
     target = edges.angle.copy()
-    for step_deg in (_STEP, *_OTHERS):
+    for step_deg, belief in ((_STEP, _RIGHT), *((other, _OTHER) for other in _OTHERS)):
         step = np.deg2rad(step_deg)
         off = (edges.angle - lean + step / 2) % step - step / 2
-        near = (np.abs(off) <= _NEAR * edges.spread) & (target == edges.angle)
+        near = (np.abs(off) <= _slack(edges.spread, belief, step)) & (target == edges.angle)
         target[near] = (edges.angle - off)[near]
     return target
 
@@ -159,10 +165,25 @@ def _length_rows(shape: Shape, edges: _Edges, directions: Floats, noise: float) 
     start = 0
     for before, here in pairwise(order.tolist()):
         start = start if alike and alike[-1][1] == before else before
-        if long[here] - long[start] <= _NEAR * math.hypot(spread[here], spread[before]):
+        slack = math.hypot(spread[here], spread[before])
+        if long[here] - long[start] <= long[here] * _slack(slack / max(long[here], 1e-9), _ALIKE, _RANGE):
             alike.append((before, here))
     one, other = np.array(alike, np.intp).reshape(-1, 2).T
     return _components(shape, kept[other], unit[other]) - _components(shape, kept[one], unit[one])
+
+
+def _slack(spread: Floats | float, belief: float, span: float) -> Floats:
+    """How far two angles, or the logarithms of two lengths, may differ to be likelier meant to be equal than not.
+
+    spread : standard deviation of their difference
+    belief : prior odds that they are equal
+    span   : range of the difference if they are not
+
+    The vaguer they are, the less it says that they are near each other.
+    """
+    odds = belief / (1.0 - belief) * span / (np.sqrt(2.0 * np.pi) * np.maximum(spread, 1e-9))
+    slack: Floats = spread * np.minimum(np.sqrt(2.0 * np.log(np.maximum(odds, 1.0))), _NEAR)
+    return slack
 
 
 def _fixed(edges: _Edges, directions: Floats) -> Bools:
@@ -206,6 +227,7 @@ def _even_depth(shape: Shape, noise: float) -> Shape:
     off = lengths / abs(shape.depth) - 1.0
     best = int(np.abs(off).argmin())
     drawn = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2]))
-    if abs(off[best]) * drawn > _NEAR * noise:
+    spread = noise / max(drawn, 1e-9)
+    if abs(off[best]) > _slack(spread, _ALIKE, _RANGE):
         return shape
     return replace(shape, depth=float(np.sign(shape.depth) * lengths[best]))

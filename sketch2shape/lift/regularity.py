@@ -30,6 +30,9 @@ _RIGHT, _RIGHT_AT_CORNER = 0.18, 0.27
 _ANGLES = np.deg2rad([60.0, 45.0, 72.0, 30.0])
 _MEANT = np.array([0.08, 0.08, 0.03, 0.03])
 
+#: prior odds that two edges of different kinds were meant to be equally long
+_ALIKE = 0.05
+
 #: the height of a normal density of width one
 _PEAK = 1.0 / np.sqrt(2.0 * np.pi)
 
@@ -50,6 +53,7 @@ class Relations:
     angles   : the two directions of each of p pairs
     adjacent : (p,) bool, does a corner of the face have this pair?
     belief   : (s,) prior odds that this symmetry was meant
+    sides    : the two edges of each of q pairs whose lengths may be equal, of different directions
     """
 
     outer: int
@@ -61,6 +65,7 @@ class Relations:
     angles: tuple[Ints, Ints]
     adjacent: Bools
     belief: Floats
+    sides: tuple[Ints, Ints]
 
 
 @dataclass(frozen=True)
@@ -113,7 +118,10 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     before = np.empty(m, np.intp)
     before[finish] = label[start]
     corner[before, label] = corner[label, before] = True
-    rows = np.concatenate([directions, *axes, sides[_one_each(label, long, noise)]])
+    chosen = _one_each(label, long, noise)
+    one, other = all_pairs(len(chosen))
+    apart = label[chosen][one] != label[chosen][other]
+    rows = np.concatenate([directions, *axes, sides[chosen]])
     weight = np.concatenate([np.sqrt(2.0 * edges), np.sqrt((axes**2).sum(axis=2)).ravel()])
     vectors = rows @ drawn
     return Relations(
@@ -126,6 +134,7 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
         (first, second),
         corner[first, second],
         belief,
+        (one[apart], other[apart]),
     )
 
 
@@ -210,17 +219,16 @@ def _symmetry_odds(relations: Relations, turned: Bearings) -> Floats:
 
 
 def _length_odds(relations: Relations, found: Candidates, noise: float) -> Floats:
-    """Equal lengths between neighbouring kinds of edges."""
+    """Equal lengths of edges of different directions; those of parallel edges are drawn so in any view."""
+    i, j = relations.sides
+    if not len(i):
+        return np.zeros(len(found.x))
     w = len(relations.weight)
     square = np.maximum(found.x[:, w:] ** 2 + found.y[:, w:] ** 2, 1e-24)
-    sides = square.shape[1]
-    if sides < 2:
-        return np.zeros(len(square))
     spread = (2.0 * noise**2) * found.stretch[:, None] ** 2 / square
     long = 0.5 * np.log(square)
-    i, j = all_pairs(sides)
-    odds = log_odds(long[:, i] - long[:, j], np.sqrt(spread[:, i] + spread[:, j] + 0.005**2), 0.05, 3.0)
-    total: Floats = odds.sum(axis=1) / (sides - 1.0)
+    odds = log_odds(long[:, i] - long[:, j], np.sqrt(spread[:, i] + spread[:, j] + 0.005**2), _ALIKE, 3.0)
+    total: Floats = odds.sum(axis=1) / (square.shape[1] - 1.0)
     return total
 
 

@@ -13,16 +13,10 @@ from sketch2shape.lift.face import ring_area
 from sketch2shape.lift.frame import own_axes, upright
 from sketch2shape.lift.measure import measured
 from sketch2shape.lift.options import LiftOptions
-from sketch2shape.lift.parallel import (
-    ParallelReading,
-    axonometric_maps,
-    axonometric_shape,
-    oblique_shape,
-    read_parallel,
-    refined_slant,
-)
+from sketch2shape.lift.parallel import axonometric_maps, axonometric_shape, oblique_shape
 from sketch2shape.lift.perspective import facing_shape, perspective_shape, seen_by_cameras
 from sketch2shape.lift.projection import Drawing, converges, kind_of, prepare
+from sketch2shape.lift.reading import ParallelReading, read_parallel, refined_pose
 from sketch2shape.lift.regularity import find_relations
 from sketch2shape.lift.shape import Shape
 from sketch2shape.model import Floats, Ints, Projection, Solid, TwoFaceObject
@@ -151,7 +145,8 @@ def _parallel(drawing: Drawing, options: LiftOptions, taper: float) -> Shape:
     if oblique:
         shape = oblique_shape(face, drawing.sizes, d, options.depth_ratio, noise)
     else:
-        shape = axonometric_shape(face, drawing.sizes, d, refined_slant(chosen.reading))
+        pose = refined_pose(chosen.reading)
+        shape = axonometric_shape(face, drawing.sizes, pose.turned(d), pose.slant)
     own = chosen.reading.oblique if oblique else chosen.reading.axonometric
     evidence = {"log_odds": _rounded_odds(own), "oblique_log_odds": _rounded_odds(odds), **shape.evidence}
     return replace(shape, taper=taper, order=order, noise=noise, evidence=evidence)
@@ -165,7 +160,7 @@ def _read_pair(drawing: Drawing, order: Ints | None, taper: float) -> _Pair:
 
 def _leaning(pair: _Pair) -> float:
     """Log odds that a pair's face, seen at its slant, costs for being no rectangle."""
-    return _LEAN * lean(pair.face @ axonometric_maps(np.array([pair.reading.slant]), pair.d)[0])
+    return _LEAN * lean(pair.face @ axonometric_maps(np.array([pair.reading.pose.slant]), pair.d)[0])
 
 
 def _rounded_odds(odds: float) -> float:

@@ -75,3 +75,12 @@ def test_nearly_a_cube_becomes_one_but_an_oblique_depth_is_left_alone():
     square = np.array([[0, 0], [100, 0], [100, 100], [0, 100.0]]) + 200
     flat = lift(TwoFaceObject(square, square + [60, -45]), options=LiftOptions(depth_ratio=0.7))
     assert flat.dimensions[2] == pytest.approx(75 / 0.7)
+
+
+def test_lengths_known_only_roughly_stay_as_they_are():
+    """Three pixels in a hundred are nothing to a shaky hand, but a very shaky one says nothing about lengths at all."""
+    near = np.array([[0, 0], [100, 0], [100, 30], [40, 30], [40, 103], [0, 103.0]]) + 200
+    exact = lift(TwoFaceObject(near, near + [70, -50], noise=1.8)).dimensions
+    assert exact[0] == pytest.approx(exact[1])
+    rough = lift(TwoFaceObject(near, near + [70, -50], noise=12.0)).dimensions
+    assert rough[1] - rough[0] == pytest.approx(3.0)
