@@ -41,7 +41,7 @@ def test_kinds_of_strokes_that_end_on_cross_or_miss_each_other():
     line(picture, [150, 60], [150, 200])
     line(picture, [100, 130], [330, 150])
     found = s2s.detect_corners(picture)
-    assert kinds_at(found, [[150, 60], [150, 134.35], [60, 60]], 2.0) == ["T", "X", "end"]
+    assert kinds_at(found, [[150, 60], [150, 134.35], [60, 60]], 2.1) == ["T", "X", "end"]
     assert found.degree[list(found.kinds).index("T")] == 3
     assert found.is_vertex.sum() == 1
 
