@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from itertools import combinations
 
 import cv2
@@ -183,9 +184,10 @@ def _maps(ring: Floats, rungs: Rungs, graph: CornerGraph, most: int) -> Floats:
     src = ring[vertex]
     parts = [homology.translation(dst - src)]
     for count, fit, limit in ((2, homology.similarity, 300), (3, homology.homology, 600)):
-        sets = [c for c in combinations(range(len(vertex)), count) if len({*vertex[list(c)].tolist()}) == count]
-        if sets:
-            chosen = np.array(sets[:limit])
+        chosen = _choices(len(vertex), count)
+        owners = np.sort(vertex[chosen], axis=1)
+        chosen = chosen[(np.diff(owners, axis=1) > 0).all(axis=1)][:limit]
+        if len(chosen):
             parts.append(fit(src[chosen], dst[chosen]))
     maps = np.concatenate(parts)
     with np.errstate(invalid="ignore"):
@@ -197,3 +199,9 @@ def _maps(ring: Floats, rungs: Rungs, graph: CornerGraph, most: int) -> Floats:
     # each further degree of freedom explains most of a rung for free
     order = np.argsort(-(vertices - 0.9 * kind), kind="stable")
     return maps[order[:most]]
+
+
+@cache
+def _choices(n: int, count: int) -> Ints:
+    """(k, count) int, all ways to choose that many of n, in order."""
+    return np.array(list(combinations(range(n), count)), np.intp).reshape(-1, count)

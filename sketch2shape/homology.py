@@ -40,8 +40,10 @@ def similarity(src: Floats, dst: Floats) -> Floats:
     return maps
 
 
-def homology(src: Floats, dst: Floats) -> Floats:
+def homology(src: Floats, dst: Floats, weights: Floats | None = None) -> Floats:
     """Homology through corresponding points (..., k, 2), k >= 3: (..., 3, 3).
+
+    weights : (..., k) float, of the points; leading dimensions as of a stack of maps for the same points
 
     The centre is the point nearest to all connecting lines, the axis follows by least squares.
     """
@@ -49,12 +51,15 @@ def homology(src: Floats, dst: Floats) -> Floats:
     size = np.maximum(np.abs(src - shift[..., None, :]).max(axis=(-2, -1)), 1e-9)[..., None, None]
     p, q = (src - shift[..., None, :]) / size, (dst - shift[..., None, :]) / size
     lines = _cross(p, q)
+    turned = np.swapaxes(lines, -1, -2)
     # eigenvectors come in the order of their eigenvalues, the smallest first
-    v = np.linalg.eigh(np.swapaxes(lines, -1, -2) @ lines)[1][..., 0]
+    v = np.linalg.eigh((turned if weights is None else turned * weights[..., None, :]) @ lines)[1][..., 0]
     qv, qp = _cross(q, v[..., None, :2], v[..., None, 2:]), _cross(q, p)
     amount = -(qp * qv).sum(axis=-1) / ((qv * qv).sum(axis=-1) + 1e-12)
     at = np.concatenate([p, np.ones((*p.shape[:-1], 1))], axis=-1)
     turned = np.swapaxes(at, -1, -2)
+    if weights is not None:
+        turned = turned * weights[..., None, :]
     axis = np.linalg.solve(turned @ at + 1e-12 * np.eye(3), turned @ amount[..., None])[..., 0]
     core = np.eye(3) + v[..., :, None] * axis[..., None, :]
     # back from points about the shift, in units of the size

@@ -115,14 +115,17 @@ def _from_three(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 6000)
 
 def _chains(rungs: Ints, links: Bools, widest: int = 12) -> Ints:
     """(k, 3): rungs in a row, all six corners different but for one that may serve in both faces."""
-    blocks = []
-    for j in np.flatnonzero(rungs[:, 0] < rungs[:, 1]):
-        near = np.flatnonzero(links[j])[:widest]
-        a, b = np.triu_indices(len(near), 1)
-        blocks.append(np.c_[near[a], np.full(len(a), j), near[b]])
-    if not blocks:
-        return np.zeros((0, 3), np.intp)
-    chain = np.concatenate(blocks)
+    middle = np.flatnonzero(rungs[:, 0] < rungs[:, 1])
+    of, near = np.nonzero(links[middle])
+    # each middle rung's neighbours in a row, the first few of them
+    rank = np.arange(len(of)) - np.searchsorted(of, of)
+    some = rank < widest
+    beside = np.full((len(middle), widest), -1)
+    beside[of[some], rank[some]] = near[some]
+    a, b = np.triu_indices(widest, 1)
+    first, last = beside[:, a], beside[:, b]
+    row, column = np.nonzero(last >= 0)
+    chain = np.stack([first[row, column], middle[row], last[row, column]], axis=1)
     ends = rungs[chain]
     ok = (ends[:, 0] != ends[:, 2]).all(axis=1) & (ends[:, 0] != ends[:, 1]).all(axis=1)
     return np.asarray(chain[ok & (ends[:, 1] != ends[:, 2]).all(axis=1)])
@@ -230,8 +233,9 @@ def _similarities(src: Floats, dst: Floats, mine: Bools) -> Floats:
 def _homologies(src: Floats, dst: Floats, mine: Bools) -> Floats:
     """Identities, which fit nothing, where there are too few rungs."""
     maps = np.tile(np.eye(3), (len(mine), 1, 1))
-    for k in np.flatnonzero(mine.sum(axis=1) >= 4):
-        maps[k] = homology.homology(src[mine[k]], dst[mine[k]])
+    some = mine.sum(axis=1) >= 4
+    if some.any():
+        maps[some] = homology.homology(src, dst, mine[some].astype(float))
     return maps
 
 

@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ink, Ints
 
+KEPT = 40
+"""Pixels of a growing stroke that are looked at again when it grows."""
 MOST_PIECES = 700
 """Pieces of lines that are looked at, the longest: a drawing has far fewer, a scribble or a texture any number."""
 
@@ -156,70 +158,112 @@ def _positions(path: Floats, bends: NDArray[Any]) -> list[int]:
     return found
 
 
-@dataclass
-class _Line:
-    """A growing stroke: its pixels (thinned out), and its two ends."""
+@dataclass(frozen=True)
+class _Lines:
+    """Growing strokes.
+
+    points  : (k, KEPT, 2) float, some of the pixels of each
+    moments : (k, 6) float, of all of them (see `_moments`)
+    ends    : (k, 2, 2) float
+    inked   : (k,) float, pixels of length on ink
+    """
 
     points: Floats
+    moments: Floats
     ends: Floats
-    inked: float
+    inked: Floats
+
+    def some(self, index: Ints) -> _Lines:
+        return _Lines(self.points[index], self.moments[index], self.ends[index], self.inked[index])
+
+    def and_also(self, more: _Lines) -> _Lines:
+        pairs = (
+            (self.points, more.points),
+            (self.moments, more.moments),
+            (self.ends, more.ends),
+            (self.inked, more.inked),
+        )
+        return _Lines(*(np.concatenate(p) for p in pairs))
 
 
-def _straighten(points: Floats, pen: float) -> _Line:
-    """A piece as a line; the bent ends near junctions do not count for its direction."""
-    trim = min(int(pen), len(points) // 4)
-    centre, direction = fit_line(points[trim : len(points) - trim] if len(points) > 4 else points)
-    along = (points - centre) @ direction
-    ends = centre + np.outer([along.min(), along.max()], direction)
-    step = max(1, len(points) // 24)
-    return _Line(points[::step], ends, float(np.ptp(along)) + 1.0)
+def _moments(points: Floats) -> Floats:
+    """(..., 6): count, sums of x, y, x squared, y squared and x times y of points (..., n, 2)."""
+    x, y = points[..., 0], points[..., 1]
+    return np.asarray(np.stack([np.ones_like(x), x, y, x * x, y * y, x * y], axis=-1).sum(axis=-2))
 
 
-def _joined(a: _Line, b: _Line, tolerance: float) -> _Line | None:
-    """Both as one stroke, unless they do not lie on one line."""
-    points = np.concatenate([a.points, b.points])
-    centre, direction = fit_line(np.concatenate([a.ends, b.ends, points]))
-    off = np.abs((points - centre) @ np.array([-direction[1], direction[0]]))
-    along = (np.concatenate([a.ends, b.ends]) - centre) @ direction
-    low, high = float(along.min()), float(along.max())
-    if off.max() > max(tolerance, 0.012 * (high - low)):
-        return None
-    return _Line(points, centre + np.outer([low, high], direction), a.inked + b.inked)
+def _fit(moments: Floats) -> tuple[Floats, Floats]:
+    """Total-least-squares lines of points with these moments (k, 6): centres and unit directions, (k, 2) each."""
+    mean = moments[:, 1:] / moments[:, :1]
+    x, y = mean[:, 0], mean[:, 1]
+    angle = 0.5 * np.arctan2(2 * (mean[:, 4] - x * y), (mean[:, 2] - x * x) - (mean[:, 3] - y * y))
+    return mean[:, :2], np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
 
-def _merge(lines: list[_Line], tolerance: float, bridge: float) -> list[_Line]:
+def _kept(points: Floats) -> Floats:
+    """KEPT of the points (..., n, 2), evenly, the first and the last among them; repeated where there are fewer."""
+    n = points.shape[-2]
+    return np.asarray(points[..., np.arange(KEPT) * (n - 1) // (KEPT - 1), :])
+
+
+def _straighten(pieces: list[Floats], pen: float) -> _Lines:
+    """Pieces as lines; the bent ends near junctions do not count for their directions."""
+    trims = [min(int(pen), len(p) // 4) if len(p) > 4 else 0 for p in pieces]
+    middles = [_moments(p[t : len(p) - t]) for p, t in zip(pieces, trims, strict=True)]
+    centre, direction = _fit(np.array(middles))
+    kept = np.array([_kept(p) for p in pieces])
+    share = np.array([min(len(p), KEPT) / KEPT for p in pieces])
+    along = ((kept - centre[:, None]) * direction[:, None]).sum(axis=2)
+    extent = np.stack([along.min(axis=1), along.max(axis=1)], axis=1)
+    ends = centre[:, None] + extent[..., None] * direction[:, None]
+    return _Lines(kept, _moments(kept) * share[:, None], ends, extent[:, 1] - extent[:, 0] + 1.0)
+
+
+def _joined(a: _Lines, b: _Lines, tolerance: float) -> tuple[_Lines, Bools]:
+    """Pairs of lines as one stroke each, and which pairs do lie on one line."""
+    points = np.concatenate([a.points, b.points], axis=1)
+    ends = np.concatenate([a.ends, b.ends], axis=1)
+    moments = a.moments + b.moments
+    centre, direction = _fit(moments + _moments(ends))
+    normal = np.stack([-direction[:, 1], direction[:, 0]], axis=1)
+    off = np.abs(((points - centre[:, None]) * normal[:, None]).sum(axis=2)).max(axis=1)
+    along = ((ends - centre[:, None]) * direction[:, None]).sum(axis=2)
+    low, high = along.min(axis=1), along.max(axis=1)
+    joined = centre[:, None] + np.stack([low, high], axis=1)[..., None] * direction[:, None]
+    return _Lines(_kept(points), moments, joined, a.inked + b.inked), off <= np.maximum(tolerance, 0.012 * (high - low))
+
+
+def _merge(lines: _Lines, tolerance: float, bridge: float) -> _Lines:
     """Merge pieces of one line, the closest ends first, until nothing fits any more."""
     while True:
-        pairs = _close_pairs(lines, tolerance, bridge)
-        used: set[int] = set()
-        merged = []
-        for i, j in pairs:
-            if i in used or j in used:
-                continue
-            line = _joined(lines[i], lines[j], tolerance)
-            if line is not None:
-                used |= {i, j}
-                merged.append(line)
-        if not merged:
+        i, j = _close_pairs(lines, tolerance, bridge)
+        merged, fits = _joined(lines.some(i), lines.some(j), tolerance)
+        free = np.ones(len(lines.inked), bool)
+        chosen = []
+        for k in np.flatnonzero(fits).tolist():
+            if free[i[k]] and free[j[k]]:
+                free[i[k]] = free[j[k]] = False
+                chosen.append(k)
+        if not chosen:
             return lines
-        lines = [line for k, line in enumerate(lines) if k not in used] + merged
+        lines = lines.some(np.flatnonzero(free)).and_also(merged.some(np.array(chosen)))
 
 
-def _close_pairs(lines: list[_Line], tolerance: float, bridge: float) -> list[tuple[int, int]]:
+def _close_pairs(lines: _Lines, tolerance: float, bridge: float) -> tuple[Ints, Ints]:
     """Pairs of lines whose ends nearly touch and whose directions agree, the closest first."""
-    ends = np.array([line.ends for line in lines])
-    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    flat = ends.reshape(-1, 2)
-    gap = np.linalg.norm(flat[:, None] - flat[None], axis=2)
-    gap = gap.reshape(len(lines), 2, len(lines), 2).min(axis=(1, 3))
+    ends, k = lines.ends, len(lines.ends)
+    span = ends[:, 1] - ends[:, 0]
+    lengths = np.hypot(span[:, 0], span[:, 1])
+    x, y = ends.reshape(-1, 2).T
+    gap = np.hypot(x[:, None] - x, y[:, None] - y).reshape(k, 2, k, 2).min(axis=(1, 3))
     shorter = np.minimum(lengths[:, None], lengths[None])
     limit = np.maximum(bridge, np.minimum(1.6 * shorter, 3.5 * bridge))
-    direction = (ends[:, 1] - ends[:, 0]) / (lengths[:, None] + 1e-9)
-    sine = np.abs(direction[:, None, 0] * direction[None, :, 1] - direction[:, None, 1] * direction[None, :, 0])
+    u = span / (lengths[:, None] + 1e-9)
+    sine = np.abs(u[:, None, 0] * u[None, :, 1] - u[:, None, 1] * u[None, :, 0])
     close = (gap < limit) & (sine < 0.05 + 2.5 * tolerance / (shorter + 1e-9))
     i, j = np.nonzero(np.triu(close, 1))
     order = np.argsort(gap[i, j], kind="stable")
-    return [(int(i[k]), int(j[k])) for k in order]
+    return i[order], j[order]
 
 
 def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = None) -> Strokes:
@@ -229,15 +273,14 @@ def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = No
     where     : (h, w) bool, ink to look at; all of it if None
     """
     pen = skeleton.pen_width
-    lines = [_straighten(p, pen) for p in _pieces(skeleton, tolerance, where) if len(p) >= 2]
-    lines = sorted(lines, key=lambda line: -line.inked)[:MOST_PIECES]
-    bridge = 2.5 * pen + 2 * tolerance + 2
-    lines = _merge(lines, tolerance, bridge) if lines else []
-    lines.sort(key=lambda line: -float(np.linalg.norm(line.ends[1] - line.ends[0])))
-    ends = np.array([line.ends for line in lines]).reshape(-1, 2, 2)
-    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    inked = np.array([line.inked for line in lines]) / (lengths + 1.0)
-    return Strokes(ends, np.minimum(inked, 1.0), tolerance)
+    pieces = [p for p in _pieces(skeleton, tolerance, where) if len(p) >= 2]
+    pieces = sorted(pieces, key=lambda p: -len(p))[:MOST_PIECES]
+    if not pieces:
+        return Strokes(np.zeros((0, 2, 2)), np.zeros(0), tolerance)
+    lines = _merge(_straighten(pieces, pen), tolerance, 2.5 * pen + 2 * tolerance + 2)
+    lengths = np.linalg.norm(lines.ends[:, 1] - lines.ends[:, 0], axis=1)
+    order = np.argsort(-lengths, kind="stable")
+    return Strokes(lines.ends[order], np.minimum(lines.inked / (lengths + 1.0), 1.0)[order], tolerance)
 
 
 def coverage(distance: NDArray[np.float32], a: Floats, b: Floats, reach: float, samples: int = 48) -> Floats:
