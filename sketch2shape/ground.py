@@ -24,6 +24,8 @@ SMALL_SIDE = 300
 """Pictures with a shorter long side are enlarged so that junctions separate."""
 CLEAN = 0.6
 """Share of the pixels that have exactly the level of the margin, from which there is no noise."""
+SURFACE_SIDE = 512
+"""Long side of the map of the paper's colours, pixels."""
 MAP_SIDE = 128
 """Long side of the map on which a table, a shadow or a page is looked for, pixels."""
 TABLE = 0.08
@@ -41,7 +43,7 @@ class Ground:
     """The picture against its paper.
 
     contrast : (h, w) uint8, at working size, 0 on the paper, 255 for the strongest possible ink
-    paper    : (h/2, w/2) uint8 luminance of the paper without ink, or None where the ground is even
+    paper    : (height, width, 3) uint8, colours of the ground without ink, reduced, or None where the ground is even
     even     : one ground colour all over the picture
     noise    : standard deviation of `contrast` on the paper
     scale    : working pixels per picture pixel
@@ -81,7 +83,7 @@ def read_ground(pixels: Gray) -> Ground:
     noise = 0.0 if clean and even else noise_of(contrast)
     if noise > 3.0:
         contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
-    return Ground(contrast, None if even else papers[0], even, noise, scale)
+    return Ground(contrast, None if even else _coloured_paper(pixels, dark), even, noise, scale)
 
 
 def at_working_size(pixels: Gray) -> tuple[Gray, float]:
@@ -113,7 +115,7 @@ def _u8(array: NDArray[np.generic]) -> Gray:
 
 
 def _reduced(gray: Gray, factor: float) -> Gray:
-    h, w = gray.shape
+    h, w = gray.shape[:2]
     size = (max(1, round(w * factor)), max(1, round(h * factor)))
     return _u8(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
 
@@ -215,8 +217,17 @@ def _uneven_paper(plane: Gray) -> Gray:
 
     The border is continued outwards, else a strip of table along it would count as a stroke.
     """
-    half = _reduced(plane, 0.5)
-    size = 2 * (max(half.shape) // 48) + 3
+    return _closed(_reduced(plane, 0.5))
+
+
+def _coloured_paper(pixels: Gray, dark: bool) -> Gray:
+    """The same for all colours, at the size at which surfaces are told apart."""
+    small = _reduced(pixels, min(1.0, SURFACE_SIDE / max(pixels.shape[:2])))
+    return _closed(_u8(cv2.bitwise_not(small)) if dark else small)
+
+
+def _closed(half: Gray) -> Gray:
+    size = 2 * (max(half.shape[:2]) // 48) + 3
     wide = cv2.copyMakeBorder(half, size, size, size, size, cv2.BORDER_REPLICATE)
     closed = cv2.morphologyEx(wide, cv2.MORPH_CLOSE, np.ones((size, size), np.uint8))
     return _u8(cv2.blur(closed, (5, 5))[size:-size, size:-size])

@@ -26,6 +26,8 @@ Gray = NDArray[np.uint8]
 
 FLOOR = 8.0
 """Contrast below which nothing is ink, in 255ths."""
+WEAKEST = 0.85
+"""Part of the contrast of marks of the paper from which a pixel is ink beside one that is stronger than they are."""
 MARGIN = 0.03
 """Empty border around the ink, as a share of the picture's diagonal: what closes gaps must not meet the frame."""
 PALE = 16
@@ -48,7 +50,8 @@ def find_ink(picture: Picture) -> Ink:
             contrast = np.where(on_page, contrast, np.uint8(0))
             noise = noise_of(contrast, on_page)
         page = None if corners is None else _rectification(corners, scale, picture)
-    floor = max(FLOOR, 5.0 * noise, paper_marks(contrast, on_page))
+    marks = paper_marks(contrast, on_page)
+    floor = max(FLOOR, 5.0 * noise, marks)
     contrast = without_bands(contrast, floor)
     frame = _frame(contrast, floor)
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros(contrast.shape, np.float32)
@@ -57,7 +60,7 @@ def find_ink(picture: Picture) -> Ink:
     diagonal = float(np.hypot(*contrast.shape))
     part = without_fills(contrast[frame], floor, diagonal)
     ringing = ringing_of(part)
-    drawn = without_hatching(ink_mask(part, floor, ringing), diagonal)
+    drawn = without_hatching(ink_mask(part, floor, ringing, WEAKEST if marks == floor else 1.0), diagonal)
     drawn = without_clutter(drawn, part, noisy=ringing > 0.0 or noise > 0.5)
     mask[frame] = drawn
     inked = part[drawn]
@@ -89,7 +92,7 @@ def _rectification(corners: Floats, scale: float, picture: Picture) -> Floats:
     return page_homography((corners + 0.5) / scale - 0.5, (np.array(picture.size) - 1) / 2)
 
 
-def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0) -> Bools:
+def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0, weakest: float = 1.0) -> Bools:
     """Ink: near the local peak of `contrast`, above `floor` and above the ringing around strong ink.
 
     Where the pen turns out to be fine the peak is looked for closer by, lest it drown a pale line beside it, and less
@@ -99,16 +102,21 @@ def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0) -> Bools:
     if ringing > 0.0:
         peak = _u8(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))
         least = np.maximum(least, _u8(cv2.convertScaleAbs(peak, alpha=ringing)))
-    mask = _near_peak(contrast, least, 9, 0.5)
+    mask = _near_peak(contrast, least, 9, 0.5, weakest)
     pen_width = rough_pen_width(mask)
     if pen_width > 4.0:
         return mask
-    return _near_peak(contrast, least, 5, 0.38) if pen_width < 2.5 else _near_peak(contrast, least, 7, 0.45)
+    size, share = (5, 0.38) if pen_width < 2.5 else (7, 0.45)
+    return _near_peak(contrast, least, size, share, weakest)
 
 
-def _near_peak(contrast: Gray, least: Gray, size: int, share: float) -> Bools:
-    peak = cv2.dilate(contrast, np.ones((size, size), np.uint8))
-    return np.asarray(contrast > np.maximum(least, _u8(cv2.convertScaleAbs(peak, alpha=share))), dtype=np.bool_)
+def _near_peak(contrast: Gray, least: Gray, size: int, share: float, weakest: float) -> Bools:
+    peak = _u8(cv2.dilate(contrast, np.ones((size, size), np.uint8)))
+    above = contrast > np.maximum(least, _u8(cv2.convertScaleAbs(peak, alpha=share)))
+    if weakest < 1.0:
+        lower = np.maximum(_u8(cv2.convertScaleAbs(least, alpha=weakest)), _u8(cv2.convertScaleAbs(peak, alpha=share)))
+        above |= (contrast > lower) & (peak > least)
+    return np.asarray(above, dtype=np.bool_)
 
 
 def ringing_of(contrast: Gray) -> float:

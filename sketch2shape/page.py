@@ -6,6 +6,8 @@ edge of the page, of the table or of a shadow. The page is made of the surfaces 
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,12 @@ STEP = 0.045
 """Relative step of brightness between neighbouring map pixels that parts two surfaces."""
 INK_SHARE = 0.1
 """A surface with this share of the ink of the main one belongs to the page: a shadow parts them."""
+FAINTEST = 0.1
+"""Share of ink from which a map pixel belongs to a stroke."""
+LEAST_SHARED = 4
+"""Map pixels that a stroke has on each of two surfaces that it joins."""
+SAME_COLOUR = 1.25
+"""Greatest ratio between the channels' losses of light in a shadow."""
 TEXTURE = 0.25
 """Share of ink above which a surface is textured, not drawn on."""
 
@@ -27,7 +35,7 @@ TEXTURE = 0.25
 def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
     """Find the surface that was drawn on.
 
-    paper   : luminance of the ground without ink, any size
+    paper   : (height, width, 3) colours of the ground without ink, any size
     mask    : (h, w) ink, working size
     returns : (h, w) bool, True on the page, and its corners as (4, 2) working pixels (clockwise, from the top left one)
               where all four sides of a page are in view; None for what does not exist
@@ -53,12 +61,12 @@ def _u8(array: NDArray[np.generic]) -> Gray:
 def _surface(paper: Gray, mask: Bools) -> Gray | None:
     """0/1 map of the surfaces that carry the ink, holes filled; None where there is but one surface."""
     step = cv2.morphologyEx(paper, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-    ink = cv2.resize(mask.astype(np.float32), paper.shape[::-1], interpolation=cv2.INTER_AREA)
+    ink = cv2.resize(mask.astype(np.float32), paper.shape[1::-1], interpolation=cv2.INTER_AREA)
     grain = cv2.blur(ink, (9, 9)) > 1.4 * TEXTURE
-    smooth = ((step <= np.maximum(3.0, STEP * 2 * paper)) & ~grain).astype(np.uint8)
+    smooth = ((step <= np.maximum(3.0, STEP * 2 * paper)).all(axis=2) & ~grain).astype(np.uint8)
     count, labels = cv2.connectedComponents(smooth, connectivity=4)
     sizes = np.bincount(labels.ravel(), minlength=count)
-    if count < 2 or sizes[1:].max() > 0.97 * paper.size:
+    if count < 2 or sizes[1:].max() > 0.97 * ink.size:
         return None
     inner = labels * cv2.erode(smooth, np.ones((5, 5), np.uint8))  # the rim holds what is left of the step
     held = np.bincount(inner.ravel(), weights=ink.ravel(), minlength=count)
@@ -68,19 +76,32 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     if not empty.any():
         return None
     rim = np.bincount(np.r_[labels[0], labels[-1], labels[:, 0], labels[:, -1]], minlength=count)
-    whole = empty & (rim == 0) & (area > 0.08 * paper.size) & (held > 0.5 * held[empty].sum())
+    whole = empty & (rim == 0) & (area > 0.08 * ink.size) & (held > 0.5 * held[empty].sum())
     main = int(np.argmax(np.where(whole if whole.any() else empty, area, 0.0)))
     strip = rim**2 > 9.0 * sizes  # table along the picture's frame
-    kept = empty & ~strip & (held >= INK_SHARE * max(held[main], 1.0)) & (area > 0.02 * paper.size)
+    carries = ~strip & (held >= INK_SHARE * max(held[main], 1.0))
+    kept = empty & (carries | _shaded(paper, ink, inner, count, main)) & (area > 0.02 * ink.size)
     kept[main] = True
     region = cv2.morphologyEx(kept[labels].astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))
     contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    contours = [c for c in contours if cv2.contourArea(c) > 0.02 * paper.size]
+    contours = [c for c in contours if cv2.contourArea(c) > 0.02 * ink.size]
     if len(contours) > 1:  # parted by a shadow; a page is convex
         contours = [cv2.convexHull(np.concatenate(contours))]
-    filled = np.zeros_like(paper)
+    filled = np.zeros(ink.shape, np.uint8)
     cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
-    return filled if 0.1 * paper.size < np.count_nonzero(filled) < 0.97 * paper.size else None
+    return filled if 0.1 * ink.size < np.count_nonzero(filled) < 0.97 * ink.size else None
+
+
+def _shaded(paper: Gray, ink: NDArray[Any], inner: NDArray[Any], count: int, main: int) -> Bools:
+    """(n,) surfaces into which strokes run from the main one, and which have its colour under other light."""
+    _, piece = cv2.connectedComponents((ink > FAINTEST).astype(np.uint8), connectivity=8)
+    shared = np.bincount(piece[inner == main], minlength=int(piece.max()) + 1) >= LEAST_SHARED
+    shared[0] = False
+    joined = np.bincount(inner[shared[piece]], minlength=count) >= LEAST_SHARED
+    area = np.maximum(np.bincount(inner.ravel(), minlength=count), 1)
+    colours = [np.bincount(inner.ravel(), weights=plane.ravel(), minlength=count) / area for plane in cv2.split(paper)]
+    light = np.stack([c / max(float(c[main]), 1.0) for c in colours])
+    return np.asarray(joined & (light.max(axis=0) < SAME_COLOUR * light.min(axis=0)))
 
 
 def _quadrilateral(region: Gray) -> Floats | None:

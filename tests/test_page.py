@@ -35,6 +35,52 @@ def test_table_and_page_border_are_no_ink(light: float) -> None:
     assert 225 < ys.max() < 260
 
 
+def on_table(image: np.ndarray, table: tuple[int, int, int]) -> np.ndarray:
+    wide = np.full((image.shape[0] + 160, image.shape[1] + 200, 3), table, np.uint8)
+    wide[80:-80, 100:-100] = image
+    return shot(wide)
+
+
+def shot(image: np.ndarray) -> np.ndarray:
+    noise = np.random.default_rng(6).normal(0, 2, image.shape[:2])
+    return np.clip(cv2.GaussianBlur(image, (3, 3), 0) + noise[..., None], 0, 255).astype(np.uint8)
+
+
+def drawing() -> tuple[np.ndarray, np.ndarray]:
+    drawn = cv2.polylines(
+        np.zeros((360, 480), np.uint8), [np.array([[90, 60], [390, 80], [350, 300], [70, 280]])], 1, 1, 3
+    )
+    return np.where(drawn[..., None] > 0, np.uint8((50, 50, 55)), np.uint8((225, 225, 225))), drawn > 0
+
+
+def misses_and_extra(image: np.ndarray, drawn: np.ndarray) -> tuple[float, float]:
+    """Part of the drawing that was not found, and ink beside it as a part of it."""
+    mask = find_ink(Picture(image)).mask
+    near = cv2.dilate(drawn.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    return 1.0 - float(mask[drawn].mean()), float((mask & ~near).sum() / drawn.sum())
+
+
+def test_a_shadow_into_which_strokes_run_belongs_to_the_page() -> None:
+    image, drawn = drawing()
+    shadow = cv2.fillPoly(np.zeros(drawn.shape), [np.array([[480, 0], [480, 180], [360, 100], [300, 0]])], 1.0)
+    lit = 1.0 - 0.55 * cv2.GaussianBlur(shadow, (0, 0), 2.0)
+    missed, extra = misses_and_extra(shot((image * lit[..., None]).astype(np.uint8)), drawn)
+    assert missed < 0.03
+    assert extra < 0.05
+
+
+def test_a_table_as_bright_as_a_shadow_on_the_page_is_told_by_its_colour() -> None:
+    image, drawn = drawing()
+    lit = np.interp(np.arange(480), [200, 480], [1.0, 0.55])
+    missed, extra = misses_and_extra(on_table((image * lit[:, None]).astype(np.uint8), (165, 125, 85)), framed(drawn))
+    assert missed < 0.03
+    assert extra < 0.05
+
+
+def framed(drawn: np.ndarray) -> np.ndarray:
+    return np.pad(drawn, ((80, 80), (100, 100)))
+
+
 def test_a_page_seen_whole_is_rectified() -> None:
     page = find_ink(Picture(photo(QUAD))).page
     assert page is not None

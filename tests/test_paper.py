@@ -49,11 +49,23 @@ def test_squares_nearly_as_strong_as_the_pencil_are_no_ink(spacing: int) -> None
     image = np.full((400, 560), 235.0)
     image[::spacing], image[:, ::spacing] = 150, 150
     drawn = cv2.polylines(np.zeros(image.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
-    image[drawn] = 92
+    image[drawn] = 105
     image += rng.normal(0, 2, image.shape)
     mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
     assert mask[drawn].mean() > 0.97
     assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.01 * drawn.sum()
+
+
+def test_a_hairline_hardly_stronger_than_the_squares_is_found_whole() -> None:
+    rng = np.random.default_rng(2)
+    image = np.full((400, 560), 235.0)
+    image[::20], image[:, ::20] = 160, 160
+    drawn = np.zeros(image.shape, np.uint8)
+    cv2.polylines(drawn, [HEXAGON], True, 255, 1, cv2.LINE_AA)
+    image = cv2.GaussianBlur(np.minimum(image, 235 - 0.46 * drawn), (0, 0), 0.6) + rng.normal(0, 2, image.shape)
+    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
+    gap = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5)
+    assert np.mean(gap[drawn > 128] < 3) > 0.97
 
 
 def test_dots_as_dark_as_the_pencil_do_not_take_it_away() -> None:
