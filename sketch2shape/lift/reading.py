@@ -32,13 +32,21 @@ _STEEP, _STEEP_COST = np.deg2rad(2.0), 2.0
 _LONG = 0.3
 
 #: how likely a face in true shape has an edge drawn level, and the log odds against the page being held askew
-_LEVEL, _ASKEW = 0.96, 1.2
+_LEVEL, _ASKEW = 0.96, 1.0
+
+#: angles at which receding edges of an oblique drawing, and the axes of an isometric one, rise, radians, and how likely
+#: it is that one of them is used
+_RECEDING, _OFTEN = np.deg2rad([30.0, 45.0, 60.0]), 0.5
+_ISOMETRIC_AXES, _SOMETIMES = np.deg2rad([30.0]), 0.3
 
 #: slant of an isometric view: all three axes equally foreshortened
 ISOMETRIC = float(np.arccos(1.0 / np.sqrt(3.0)))
 
+#: how likely an object in an orthographic view stands on none of its edges
+_AFLOAT = 0.1
+
 #: log odds of an oblique drawing before anything is seen: most hand-made drawings of prisms are
-_OBLIQUE_PRIOR = 0.8
+_OBLIQUE_PRIOR = 1.0
 
 
 @dataclass(frozen=True)
@@ -122,6 +130,8 @@ def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -
     """
     view, drawn, isometric = _viewed(face, d, relations, noise)
     oblique = float(score(relations, *drawn, noise)[0]) + _OBLIQUE_PRIOR + _oblique_odds(view, drawn[1])
+    oblique += _usual_odds(view, _RECEDING, _OFTEN)
+    isometric += _usual_odds(view, _ISOMETRIC_AXES, _SOMETIMES)
     trials = _trials(view, _SLANTS, _FEW_TURNS if view.wobble > _SURE else _NO_TURN)
     odds = _odds(view, trials)
     turn, slant = divmod(int(odds.argmax()), len(_SLANTS))
@@ -259,7 +269,7 @@ def _gravity_odds(view: StretchedFace, rests: Floats, trials: _Trials, turned: B
     turn = between(turned.angle[:, :k], np.arctan2(aside, rise * trials.stretches))
     width = np.sqrt(turned.spread[:, :k] ** 2 + np.deg2rad(1.0) ** 2)
     density = np.exp(-0.5 * ((turn - np.pi / 2) / width) ** 2) / (width * np.sqrt(2.0 * np.pi))
-    odds: Floats = np.log(0.2 + (0.8 * np.pi) * (density @ rests))
+    odds: Floats = np.log(_AFLOAT + (1.0 - _AFLOAT) * np.pi * (density @ rests))
     return odds
 
 
@@ -284,6 +294,13 @@ def _oblique_odds(view: StretchedFace, turned: Bearings) -> float:
         hidden = bool((between(turned.angle[0, : len(spread)], np.zeros(1)) < near).any())
         odds -= _STEEP_COST * (1.0 + 3.0 * hidden) * steep
     return odds
+
+
+def _usual_odds(view: StretchedFace, usual: Floats, belief: float) -> float:
+    """Log odds that d rises at one of the usual angles, and not at any."""
+    rise = np.arctan2(abs(view.toward[1]), abs(view.toward[0]))
+    off = np.abs(rise - usual).min(keepdims=True)
+    return float(log_odds(off, np.hypot(view.wobble, np.deg2rad(0.5))[None], belief, 0.5 * np.pi / len(usual))[0])
 
 
 def _level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:

@@ -56,3 +56,13 @@ def test_edges_along_an_upright_d_are_not_oblique_however_it_is_shaken():
         reading = read(ELL, np.array([aside, -27.0]), noise=1.0)
         straight = read(ELL, np.array([19.0, -19.0]), noise=1.0)
         assert reading.oblique < straight.oblique - 4.0
+
+
+def test_receding_edges_at_a_usual_angle_speak_for_an_oblique_drawing():
+    triangle = np.array([[0, 0], [140, 22], [60, -90.0]])
+    odds = []
+    for degrees in (45.0, 38.0):
+        a = np.deg2rad(degrees)
+        reading = read(triangle, 80 * np.array([np.cos(a), -np.sin(a)]))
+        odds.append(reading.oblique - reading.axonometric)
+    assert odds[0] > odds[1] + 1.0
