@@ -8,6 +8,7 @@ import pytest
 from benchmarks.faults import bombs, leak, names, rasters, reader
 from benchmarks.faults.hostile import KINDS, hostile
 from benchmarks.faults.samples import mutated, samples
+from sketch2shape.errors import CrashError
 from sketch2shape.read import read_picture
 
 
@@ -54,3 +55,12 @@ def test_rasters_are_the_same_for_the_same_number():
         assert kind == KINDS[number]
         assert raster.tobytes() == hostile(number)[1].tobytes()
     assert rasters.try_raster(0)[0] == "NoObjectError"
+
+
+def test_slow_wrong_and_lost_rasters_are_findings():
+    ours = {0: ("NoObjectError", 0.1, ""), 1: ("solid", 7.0, "not finite"), 2: CrashError("the worker died")}
+    told = rasters.summary(ours)
+    assert told["outcomes"] == {"NoObjectError": 1, "solid": 1}
+    assert told["solids in kinds that hold no object"] == {KINDS[1]: 1}
+    assert told["over 1 s, over 5 s"] == [1, 1]
+    assert [finding.split(": ")[1] for finding in told["findings"]] == ["7.0 s", "not finite", "the worker died"]

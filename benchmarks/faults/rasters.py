@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from benchmarks.faults.hostile import MAY_HOLD_AN_OBJECT, hostile
+from benchmarks.faults.hostile import KINDS, MAY_HOLD_AN_OBJECT, hostile
 from sketch2shape.batch.pool import run_each
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.reconstruct import reconstruct
@@ -20,14 +20,23 @@ from sketch2shape.result import Result
 _SLOW = 5.0
 
 
-def run(size: int = 5_000, jobs: int = 2, first: int = 0) -> dict[str, object]:
+#: outcome, seconds of computing, what is wrong with the answer ("" if nothing)
+Attempt = tuple[str, float, str]
+
+
+def run(size: int = 5_000, jobs: int = 2) -> dict[str, object]:
     """`size` rasters, one at a time; one whose worker dies or that takes over 5 s of computing is a finding."""
+    return summary(dict(run_each(range(size), try_raster, jobs=jobs, timeout=120, max_memory=2**31)))
+
+
+def summary(attempts: Mapping[int, Attempt | Sketch2ShapeError]) -> dict[str, object]:
+    """What came of the rasters of these numbers."""
     outcomes: Counter[str] = Counter()
     seconds: dict[str, list[float]] = defaultdict(list)
     false: Counter[str] = Counter()
     findings = []
-    for number, value in run_each(range(first, first + size), try_raster, jobs=jobs, timeout=120, max_memory=2**31):
-        kind = hostile(number)[0]
+    for number, value in sorted(attempts.items()):
+        kind = KINDS[number % len(KINDS)]
         if isinstance(value, Sketch2ShapeError):
             findings.append(f"{number} {kind}: {value.message}")
             continue
@@ -40,13 +49,15 @@ def run(size: int = 5_000, jobs: int = 2, first: int = 0) -> dict[str, object]:
             findings.append(f"{number} {kind}: {took:.1f} s")
         if finding:
             findings.append(f"{number} {kind}: {finding}")
+    every = np.array([took for each in seconds.values() for took in each])
     return {
-        "rasters": size,
+        "rasters": len(attempts),
         "kinds": len(seconds),
         "outcomes": dict(sorted(outcomes.items())),
         "solids in kinds that hold no object": dict(false.most_common()),
         "slowest, s of computing": _slowest(seconds),
-        "over 1 s": sum(took > 1 for each in seconds.values() for took in each),
+        "median, 99th percentile, s": np.round(np.percentile(every, [50, 99]), 2).tolist(),
+        "over 1 s, over 5 s": [int((every > 1).sum()), int((every > _SLOW).sum())],
         "findings": findings[:40],
     }
 
@@ -57,7 +68,7 @@ def _slowest(seconds: Mapping[str, Sequence[float]]) -> dict[str, float]:
     return {kind: round(took, 2) for took, kind in worst[:8]}
 
 
-def try_raster(number: int) -> tuple[str, float, str]:
+def try_raster(number: int) -> Attempt:
     """Make and reconstruct a raster; the outcome, the computing time, and what is wrong with the answer."""
     raster = hostile(number)[1]
     begin = time.process_time()
