@@ -37,6 +37,8 @@ def simplest_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
 
     In a prism over a trapezoid or a wedge, two of the pairs are not parallel; in a frustum over a square only one is.
     """
+    if drawing.sizes != [4]:
+        return drawing, None
     pairs = drawing.pairs
     # a pair that is a mere guess must fit better than the one given
     slack = [max(_FITS * drawing.noise, part * CONVERGENCE * drawing.diagonal) for part in (1.0, 0.6, 0.6)]
@@ -47,8 +49,11 @@ def simplest_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
 def _unlikely(drawing: Drawing, limit: float) -> int:
     """Rank of a pair: faces alike, faces similar, connecting lines that meet, none of these; limit in pixels."""
     r = drawing.relation
-    fits = (r.translation_rms <= limit, r.homothety_rms <= limit and r.scale > 0.0, r.centre_rms <= limit)
-    return (*fits, True).index(True)
+    if r.translation_rms <= limit:
+        return 0
+    if r.homothety_rms <= limit and r.scale > 0.0:
+        return 1
+    return 2 if r.centre_rms <= limit else 3
 
 
 def is_box_like(drawing: Drawing) -> bool:

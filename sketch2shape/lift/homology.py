@@ -9,7 +9,9 @@ translation (both at infinity: a prism in a parallel view).
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -20,21 +22,35 @@ from sketch2shape.model import Bools, Floats
 class FaceRelation:
     """Translation, homothety and homology fitted to f1 -> f2; rms is of one coordinate of one vertex, pixels.
 
+    first, second   : (m, 2) the corresponding vertices, pixels
     d               : (2,) translation, pixels
     translation_rms : residual of the translation
     scale, shift    : homothety f2 = scale * f1 + shift, (2,) pixels
     homothety_rms   : residual of the homothety
-    centre          : (3,) homogeneous point where the connecting lines meet, unit vector
-    centre_rms      : residual of the connecting lines, as if one coordinate of each vertex were off
     """
 
+    first: Floats
+    second: Floats
     d: Floats
     translation_rms: float
     scale: float
     shift: Floats
     homothety_rms: float
-    centre: Floats
-    centre_rms: float
+
+    @cached_property
+    def _meeting(self) -> tuple[Floats, float]:
+        # most drawings are parallel and never ask
+        return _meeting_point(self.first, self.second)
+
+    @property
+    def centre(self) -> Floats:
+        """(3,) homogeneous point where the connecting lines meet, unit vector."""
+        return self._meeting[0]
+
+    @property
+    def centre_rms(self) -> float:
+        """Residual of the connecting lines, as if one coordinate of each vertex were off."""
+        return self._meeting[1]
 
 
 def relate_faces(first: Floats, second: Floats, known: Bools | None = None) -> FaceRelation:
@@ -48,15 +64,14 @@ def relate_faces(first: Floats, second: Floats, known: Bools | None = None) -> F
     if known is not None and int(known.sum()) >= 3:
         first, second = first[known], second[known]
     m = len(first)
-    d = (second - first).mean(axis=0)
-    translation = np.sqrt(((second - first - d) ** 2).sum() / (2.0 * (2 * m - 2)))
-    a, b = first - first.mean(axis=0), second - second.mean(axis=0)
-    spread = float((a**2).sum())
-    scale = float((a * b).sum() / spread) if spread > 0 else 1.0
-    shift = second.mean(axis=0) - scale * first.mean(axis=0)
-    homothety = np.sqrt(((b - scale * a) ** 2).sum() / ((1.0 + scale**2) * max(2 * m - 3, 1)))
-    centre, off = _meeting_point(first, second)
-    return FaceRelation(d, float(translation), scale, shift, float(homothety), centre, off)
+    middle, far = first.sum(axis=0) / m, second.sum(axis=0) / m
+    a, b = (first - middle).ravel(), (second - far).ravel()
+    spread, off, apart = float(a @ a), b - a, 2.0 * (2 * m - 2)
+    scale = float(a @ b) / spread if spread > 0 else 1.0
+    left = b - scale * a
+    homothety = math.sqrt(float(left @ left) / ((1.0 + scale**2) * max(2 * m - 3, 1)))
+    translation = math.sqrt(float(off @ off) / apart)
+    return FaceRelation(first, second, far - middle, translation, scale, far - scale * middle, homothety)
 
 
 def _meeting_point(first: Floats, second: Floats) -> tuple[Floats, float]:

@@ -153,10 +153,12 @@ def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:
     evidence = {
         "translation_rms_px": round(r.translation_rms, 3),
         "homothety_rms_px": round(r.homothety_rms, 3),
-        "concurrence_rms_px": round(r.centre_rms, 3),
         "face_scale": round(r.scale, 4),
     }
-    if r.translation_rms <= allowed or r.translation_rms <= _SIGNIFICANT * min(r.homothety_rms, r.centre_rms):
+    if r.translation_rms <= allowed:
+        return "parallel", evidence
+    evidence["concurrence_rms_px"] = round(r.centre_rms, 3)
+    if r.translation_rms <= _SIGNIFICANT * min(r.homothety_rms, r.centre_rms):
         return "parallel", evidence
     if r.homothety_rms <= max(_SIGNIFICANT * drawing.noise, _SIGNIFICANT * r.centre_rms) and r.scale > 0:
         return "scaled", evidence
