@@ -45,8 +45,21 @@ def write_page(page: Path, outcomes: list[Outcome], command: str, sheets: list[P
     for name in _sets(outcomes):
         group = [o for o in outcomes if o["set"] == name]
         parts += [f"## {TITLES[name]}\n", category_table(group)]
+    parts += ["## Solids from the true corners, with noise\n", lifting(page.parent / "lifting.md")]
     parts += ["## Failures\n", failures(outcomes, sheets, page.parent)]
     page.write_text("\n".join(parts).rstrip() + "\n")
+
+
+def lifting(page: Path) -> str:
+    """The tables of the page that `evaluate_lifting.py` writes, each under its name."""
+    if not page.exists():
+        return "Not measured; `python scripts/evaluate_lifting.py` does.\n"
+    text = (
+        "The share of drawings whose solid is right when it is lifted from their true vertices with normal noise added,"
+        f" measured by `scripts/evaluate_lifting.py`; see [lifting]({page.name}).\n"
+    )
+    kept = [line for line in page.read_text().splitlines() if line.startswith(("## ", "|"))]
+    return text + "".join(f"\n#{line}\n\n" if line.startswith("#") else f"{line}\n" for line in kept)
 
 
 def _sets(outcomes: list[Outcome]) -> list[str]:

@@ -98,6 +98,16 @@ def test_the_page_tells_the_command_the_shares_and_the_failures(scripts, case, m
     assert (page.parent / "reliability.svg").exists()
 
 
+def test_the_page_holds_the_tables_of_the_lifting(scripts, tmp_path):
+    (tmp_path / "lifting.md").write_text(
+        "# Lifting\n\nWords.\n\n## A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n"
+    )
+    text = scripts["results_page"].lifting(tmp_path / "lifting.md")
+    assert "### A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n" in text
+    assert "Words" not in text
+    assert "Not measured" in scripts["results_page"].lifting(tmp_path / "none.md")
+
+
 def test_the_recorded_command_leaves_out_places_on_this_machine(scripts):
     options = ["--raw", "/somewhere/raw.json", "--sets", "committed", "--page", "", "--seed", "3"]
     assert scripts["evaluate"].recorded(options) == "python scripts/evaluate.py --sets committed --seed 3"

@@ -26,13 +26,13 @@ from sketch2shape.model import Floats
 USUAL_FOCAL, _FOCAL_SPREAD = 1.9, 0.4
 
 #: focal lengths tried, over the diagonal
-_FOCALS = np.geomspace(0.7, 8.0, 30)
+_FOCALS = np.geomspace(0.7, 8.0, 24)
 
 #: focal lengths tried in turn near the best of them, over it
-_NEARER = np.geomspace(0.92, 1.087, 13)
+_NEARER = np.geomspace(0.9, 1.0 / 0.9, 13)
 
-#: Gauss-Newton steps: the start is good, three would do
-_STEPS = 4
+#: Gauss-Newton steps: the start is good
+_STEPS = 3
 
 #: depth over the distance of the front face beyond which a reading is nonsense
 _DEEPEST = 20.0

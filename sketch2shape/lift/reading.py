@@ -15,13 +15,13 @@ from sketch2shape.lift.regularity import Bearings, Candidates, Relations, bearin
 from sketch2shape.model import Bools, Floats
 
 #: slants tried, radians: the face is never seen quite from the front nor quite from its edge
-_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 157))
+_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 105))
 _STEP = float(_SLANTS[1] - _SLANTS[0])
 
 #: a d known to within this angle, radians, is not turned at first, or not even when the pose is refined; else turns of
 #: this many standard deviations are tried
 _SURE, _QUITE_SURE = np.deg2rad(0.4), np.deg2rad(0.1)
-_FEW_TURNS, _TURNS = np.linspace(-2.0, 2.0, 7), np.linspace(-2.0, 2.0, 9)
+_FEW_TURNS, _TURNS = np.linspace(-2.0, 2.0, 7), np.linspace(-2.0, 2.0, 13)
 _NO_TURN = np.zeros(1)
 
 #: receding edges of an oblique drawing are not drawn level or upright (within about this angle, radians), least of all
@@ -144,7 +144,7 @@ def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -
 def refined_pose(reading: ParallelReading) -> Pose:
     """The pose of a reading to a hundredth of a degree."""
     view, pose = reading.view, reading.pose
-    near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 33), _SLANTS[0], _SLANTS[-1])
+    near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
     trials = _trials(view, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
     odds = _odds(view, trials).reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
