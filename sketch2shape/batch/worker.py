@@ -9,8 +9,12 @@ import signal
 import sys
 import threading
 
-#: modules that the fork server imports once for all workers
-PRELOAD = ("numpy", "cv2", "sketch2shape.convert", "sketch2shape.reconstruct", "sketch2shape.export.mesh")
+#: modules that the fork server imports once for all workers: what one picture or another needs, also inside functions
+PRELOAD = (
+    *("numpy", "cv2", "PIL.PngImagePlugin", "PIL.JpegImagePlugin", "mapbox_earcut", "skimage.morphology"),
+    *("sketch2shape.convert", "sketch2shape.reconstruct", "sketch2shape.ink", "sketch2shape.lift"),
+    *("sketch2shape.export.mesh", "sketch2shape.export.obj"),
+)
 
 _PR_SET_PDEATHSIG = 1
 

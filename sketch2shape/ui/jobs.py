@@ -21,9 +21,12 @@ _MOST_SIDE = 40_000  # of a picture that corrections claim to belong to
 
 def warm_up() -> None:
     """Load the libraries that the first picture would otherwise wait for."""
-    import sketch2shape.export.mesh
-    import sketch2shape.lift
-    import sketch2shape.reconstruct  # noqa: F401
+    from importlib import import_module
+
+    from sketch2shape.batch.worker import PRELOAD
+
+    for name in PRELOAD:
+        import_module(name)
 
 
 def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
