@@ -58,8 +58,8 @@ def lifting(page: Path) -> str:
         "The share of drawings whose solid is right when it is lifted from their true vertices with normal noise added,"
         f" measured by `scripts/evaluate_lifting.py`; see [lifting]({page.name}).\n"
     )
-    kept = [line for line in page.read_text().splitlines() if line.startswith(("## ", "|"))]
-    return text + "".join(f"\n#{line}\n\n" if line.startswith("#") else f"{line}\n" for line in kept)
+    kept = [line for line in page.read_text().splitlines() if line.startswith(("### ", "|"))]
+    return text + "".join(f"\n{line}\n\n" if line.startswith("#") else f"{line}\n" for line in kept)
 
 
 def _sets(outcomes: list[Outcome]) -> list[str]:

@@ -100,11 +100,12 @@ def test_the_page_tells_the_command_the_shares_and_the_failures(scripts, case, m
 
 def test_the_page_holds_the_tables_of_the_lifting(scripts, tmp_path):
     (tmp_path / "lifting.md").write_text(
-        "# Lifting\n\nWords.\n\n## A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n"
+        "# Lifting\n\nWords.\n\n## How often\n\n### A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n"
     )
     text = scripts["results_page"].lifting(tmp_path / "lifting.md")
     assert "### A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n" in text
     assert "Words" not in text
+    assert "How often" not in text
     assert "Not measured" in scripts["results_page"].lifting(tmp_path / "none.md")
 
 
