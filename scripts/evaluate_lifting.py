@@ -189,18 +189,18 @@ How the flat object becomes a solid, and how often it becomes the right one.
 1. **How are the two faces related?** Alike: a parallel drawing of a prism. Similar: tapered, or facing the viewer in
    perspective. Connecting lines that meet: perspective. The simplest relation that the noise allows is taken.
 2. **Parallel drawings.** Each slant at which the face could be seen (0 is oblique) gives one true face. It is scored by
-   log odds: right and other simple angles, mirror symmetry and equal lengths, each as sharp as the drawing's noise makes
-   it; directions of edges crowded by foreshortening; usual views; a base that is level where the paper's vertical is
-   upright. Oblique drawings have level edges and usually recede at 30, 45 or 60 degrees. The likelier kind is taken, at
-   its best slant; where d is short its direction is sought together with the slant.
+   log odds: right and other simple angles, mirror symmetry and equal lengths, each as sharp as the drawing's noise
+   makes it; directions of edges crowded by foreshortening; usual views; a base that is level where the paper's
+   vertical is upright. Oblique drawings have level edges and usually recede at 30, 45 or 60 degrees. The likelier kind
+   is taken, at its best slant; where the connecting edges are short their direction is sought together with the slant.
 3. **Perspective.** For each focal length the pose that fits both faces is found by Gauss-Newton; the same log odds and
    the fit choose among them.
-4. **Tidying.** Nearly parallel, right-angled, equal or regular is made exact if that is likelier than chance and moves no
-   vertex further than the noise.
+4. **Tidying.** Nearly parallel, right-angled, equal or regular is made exact if that is likelier than chance and moves
+   no vertex further than the noise.
 
 What no wireframe tells: which of its two faces is in front (it is seen from above then); in an axonometric one of a
-prism over a parallelogram, which two of its six sides are the parallelograms (each choice is a prism that gives this very
-drawing); and the depth of an oblique drawing (a stated default).
+prism over a parallelogram, which two of its six sides are the parallelograms (each choice is a prism that gives this
+very drawing); and the depth of an oblique drawing (a stated default).
 
 ## How often
 
