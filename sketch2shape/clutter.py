@@ -160,10 +160,29 @@ def _belongs(
         in_row |= dot & (not noisy)  # dotted lines on clean paper: the other dots are theirs too
     pointed = (pointed_at >= 2) | ((dot | parts.is_disc) & (pointed_at >= 1))
     joined = (linked | pointed) & ~_in_words(parts, dash | dot | pointed)
+    if noisy:
+        joined |= _nearly_joined(parts, labels, large, pen_width)
     rings = _rings(parts, labels, large, 0.5 * letter)
     return np.asarray(
         joined | in_row | rings | _vertex_dots(parts, pen_width) | (parts.length > letter), dtype=np.bool_
     )
+
+
+def _nearly_joined(parts: Parts, labels: NDArray[np.int32], large: Bools, pen_width: float) -> Bools:
+    """(n,) longer than a few widths, and all but touching the drawing at places far apart: a stroke with weak spots."""
+    side = 2 * int(pen_width + 2.0) + 1
+    close = cv2.dilate(large.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
+    index = np.full(int(labels.max()) + 1, -1)
+    index[parts.labels] = np.arange(len(parts.labels))
+    index[0] = -1
+    ys, xs = np.nonzero(close & (labels > 0) & ~large)
+    which = index[labels[ys, xs]]
+    points = np.stack([xs, ys], axis=1)[which >= 0]
+    low, high = np.full((len(parts.labels), 2), np.inf), np.full((len(parts.labels), 2), -np.inf)
+    np.minimum.at(low, which[which >= 0], points)
+    np.maximum.at(high, which[which >= 0], points)
+    span = np.linalg.norm(np.maximum(high - low, 0.0), axis=1)
+    return np.asarray((span > 0.5 * parts.length) & (parts.length > 4.0 * pen_width), dtype=np.bool_)
 
 
 def _in_words(parts: Parts, plain: Bools) -> Bools:

@@ -44,14 +44,14 @@ class Ground:
 
     contrast : (h, w) uint8, at working size, 0 on the paper, 255 for the strongest possible ink
     paper    : (height, width, 3) uint8, colours of the ground without ink, reduced, or None where the ground is even
-    even     : one ground colour all over the picture
+    clean    : without noise and grain: most pixels have exactly the colour of the ground
     noise    : standard deviation of `contrast` on the paper
     scale    : working pixels per picture pixel
     """
 
     contrast: Gray
     paper: Gray | None
-    even: bool
+    clean: bool
     noise: float
     scale: float
 
@@ -83,7 +83,7 @@ def read_ground(pixels: Gray) -> Ground:
     noise = 0.0 if clean and even else noise_of(contrast)
     if noise > 3.0:
         contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
-    return Ground(contrast, None if even else _coloured_paper(pixels, dark), even, noise, scale)
+    return Ground(contrast, None if even else _coloured_paper(pixels, dark), clean and even, noise, scale)
 
 
 def at_working_size(pixels: Gray) -> tuple[Gray, float]:

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 
 from sketch2shape.clutter import without_clutter
 from sketch2shape.fills import without_fills
+from sketch2shape.grain import with_weak_places, without_burrs
 from sketch2shape.ground import read_ground
 from sketch2shape.hatching import without_hatching
 from sketch2shape.model import Bools, Floats, Ink, Picture
 from sketch2shape.page import find_page, page_homography
 from sketch2shape.paper import noise_of, paper_marks, without_bands
-from sketch2shape.pen import pen_width_of, rough_pen_width
+from sketch2shape.pen import FINE, pen_width_of, rough_pen_width
 
 Gray = NDArray[np.uint8]
 
@@ -60,14 +61,20 @@ def find_ink(picture: Picture) -> Ink:
     diagonal = float(np.hypot(*contrast.shape))
     part = without_fills(contrast[frame], floor, diagonal)
     ringing = ringing_of(part)
-    drawn = without_hatching(ink_mask(part, floor, ringing, WEAKEST if marks == floor else 1.0), diagonal)
+    weakest = WEAKEST if marks == floor else 1.0
+    drawn = ink_mask(part, floor, ringing, weakest)
+    if not ground.clean:
+        drawn = with_weak_places(drawn, part, weakest * floor)
+    drawn = without_hatching(drawn, diagonal)
     drawn = without_clutter(drawn, part, noisy=ringing > 0.0 or noise > 0.5)
+    pen_width = pen_width_of(drawn)
+    drawn = without_burrs(drawn, pen_width)
     mask[frame] = drawn
     inked = part[drawn]
     peak = float(np.percentile(inked, 90)) if len(inked) else 255.0
     np.multiply(part, np.float32(1.0 / max(peak, 1.0)), out=strength[frame])
     np.minimum(strength[frame], 1.0, out=strength[frame])
-    return Ink(mask=mask, strength=strength, pen_width=pen_width_of(drawn), scale=scale, page=page)
+    return Ink(mask=mask, strength=strength, pen_width=pen_width, scale=scale, page=page)
 
 
 def _frame(contrast: Gray, floor: float) -> tuple[slice, slice] | None:
@@ -106,7 +113,7 @@ def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0, weakest: float 
     pen_width = rough_pen_width(mask)
     if pen_width > 4.0:
         return mask
-    size, share = (5, 0.38) if pen_width < 2.5 else (7, 0.45)
+    size, share = (5, 0.38) if pen_width < FINE else (7, 0.45)
     return _near_peak(contrast, least, size, share, weakest)
 
 

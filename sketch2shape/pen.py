@@ -7,6 +7,9 @@ import numpy as np
 
 from sketch2shape.model import Bools
 
+FINE = 2.5
+"""Rough width, pixels, below which strokes are hairlines."""
+
 
 def pen_width_of(mask: Bools) -> float:
     """Typical stroke width, pixels: median over the ridge of the distance transform; 1 without ink."""
@@ -27,5 +30,9 @@ def rough_pen_width(mask: Bools) -> float:
 
     The outline is counted in pixel edges, of which a stroke has 4 / pi per unit of outline in the mean over directions.
     """
-    edges = int(np.count_nonzero(mask[1:] != mask[:-1])) + int(np.count_nonzero(mask[:, 1:] != mask[:, :-1]))
-    return max(1.0, 2.0 * (4.0 / float(np.pi)) * int(np.count_nonzero(mask)) / max(edges, 1))
+    return max(1.0, 2.0 * (4.0 / float(np.pi)) * int(np.count_nonzero(mask)) / max(outline_length(mask), 1))
+
+
+def outline_length(mask: Bools) -> int:
+    """Pixel edges between what is set and what is not."""
+    return int(np.count_nonzero(mask[1:] != mask[:-1])) + int(np.count_nonzero(mask[:, 1:] != mask[:, :-1]))
