@@ -58,9 +58,15 @@ def test_rasters_are_the_same_for_the_same_number():
 
 
 def test_slow_wrong_and_lost_rasters_are_findings():
-    ours = {0: ("NoObjectError", 0.1, ""), 1: ("solid", 7.0, "not finite"), 2: CrashError("the worker died")}
+    ours = {
+        0: ("NoObjectError", 0.1, ""),
+        1: ("solid", 7.0, "not finite"),
+        3: ("sure solid", 1.0, ""),
+        2: CrashError("the worker died"),
+    }
     told = rasters.summary(ours)
-    assert told["outcomes"] == {"NoObjectError": 1, "solid": 1}
+    assert told["outcomes"] == {"NoObjectError": 1, "solid": 1, "sure solid": 1}
     assert told["solids in kinds that hold no object"] == {KINDS[1]: 1}
+    assert told["the same with a confidence of 0.9 or more"] == {KINDS[3]: 1}
     assert told["over 1 s, over 5 s"] == [1, 1]
     assert [finding.split(": ")[1] for finding in told["findings"]] == ["7.0 s", "not finite", "the worker died"]

@@ -20,7 +20,7 @@ from sketch2shape.result import Result
 _SLOW = 5.0
 
 
-#: outcome, seconds of computing, what is wrong with the answer ("" if nothing)
+#: outcome ("solid", "sure solid", or the error), seconds of computing, what is wrong with the answer ("" if nothing)
 Attempt = tuple[str, float, str]
 
 
@@ -33,7 +33,7 @@ def summary(attempts: Mapping[int, Attempt | Sketch2ShapeError]) -> dict[str, ob
     """What came of the rasters of these numbers."""
     outcomes: Counter[str] = Counter()
     seconds: dict[str, list[float]] = defaultdict(list)
-    false: Counter[str] = Counter()
+    false: dict[str, Counter[str]] = {"solid": Counter(), "sure solid": Counter()}
     findings = []
     for number, value in sorted(attempts.items()):
         kind = KINDS[number % len(KINDS)]
@@ -43,8 +43,8 @@ def summary(attempts: Mapping[int, Attempt | Sketch2ShapeError]) -> dict[str, ob
         outcome, took, finding = value
         outcomes[outcome] += 1
         seconds[kind].append(took)
-        if outcome == "solid" and kind not in MAY_HOLD_AN_OBJECT:
-            false[kind] += 1
+        if outcome in false and kind not in MAY_HOLD_AN_OBJECT:
+            false[outcome][kind] += 1
         if took > _SLOW:
             findings.append(f"{number} {kind}: {took:.1f} s")
         if finding:
@@ -54,7 +54,8 @@ def summary(attempts: Mapping[int, Attempt | Sketch2ShapeError]) -> dict[str, ob
         "rasters": len(attempts),
         "kinds": len(seconds),
         "outcomes": dict(sorted(outcomes.items())),
-        "solids in kinds that hold no object": dict(false.most_common()),
+        "solids in kinds that hold no object": dict(false["solid"].most_common()),
+        "the same with a confidence of 0.9 or more": dict(false["sure solid"].most_common()),
         "slowest, s of computing": _slowest(seconds),
         "median, 99th percentile, s": np.round(np.percentile(every, [50, 99]), 2).tolist(),
         "over 1 s, over 5 s": [int((every > 1).sum()), int((every > _SLOW).sum())],
@@ -74,7 +75,8 @@ def try_raster(number: int) -> Attempt:
     begin = time.process_time()
     try:
         result = reconstruct(raster)
-        outcome, finding = "solid", _flaw(result)
+        sure = min(found.confidence for found in result.objects) >= 0.9
+        outcome, finding = "sure solid" if sure else "solid", _flaw(result)
     except Sketch2ShapeError as error:
         outcome, finding = type(error).__name__, ""
     except Exception as error:
