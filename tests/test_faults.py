@@ -46,7 +46,8 @@ def test_odd_names_give_one_output_each():
 
 def test_conversions_leave_no_descriptor_open():
     outcome = leak.run(60)
-    assert outcome["file descriptors"][0] == outcome["file descriptors"][1]
+    before, after = outcome["file descriptors"]
+    assert after <= before  # what other tests left open may be closed meanwhile
 
 
 def test_rasters_are_the_same_for_the_same_number():
