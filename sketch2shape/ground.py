@@ -198,9 +198,9 @@ def _is_dark(gray: Gray, levels: Counts, ground: int, even: bool) -> bool:
         return bool(light > dark)
     half = _reduced(gray, 0.5)
     box = cv2.getStructuringElement(cv2.MORPH_RECT, (5, 5))
-    light_thin, dark_thin = (
-        cv2.norm(cv2.morphologyEx(half, hat, box), cv2.NORM_L2SQR) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT)
-    )
+    hats = [cv2.morphologyEx(half, hat, box) for hat in (cv2.MORPH_TOPHAT, cv2.MORPH_BLACKHAT)]
+    # fourth powers: few pixels are stroke, all are grain
+    light_thin, dark_thin = (cv2.norm(cv2.multiply(h, h, dtype=cv2.CV_32F), cv2.NORM_L2SQR) for h in hats)
     if max(light_thin, dark_thin) > 2.0 * min(light_thin, dark_thin):
         return bool(light_thin > dark_thin)
     return bool(light > dark)
