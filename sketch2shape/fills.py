@@ -12,6 +12,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.pen import rough_pen_width
+
 Gray = NDArray[np.uint8]
 
 WIDE = 0.03
@@ -22,6 +24,10 @@ BLOT = 3.0
 """Wide ink smaller than this many of the boxes that tell what is wide is a blot, not a face."""
 SAME_FILL = 0.6
 """A neighbour with less than this share of a fill's contrast is not the same fill."""
+PALE = 0.3
+"""Wide areas below this share of the darkest ink's contrast are stains ..."""
+GRAIN = 1.5
+"""... and what they add to the contrast is up to this many times that of their palest parts."""
 PALER = 0.8
 """Wide ink below this share of the darkest ink's contrast is a fill."""
 
@@ -41,6 +47,26 @@ def without_fills(contrast: Gray, floor: float, diagonal: float) -> Gray:
     strokes = _u8(cv2.subtract(contrast, level))
     borders = _borders(level, strokes, floor, diagonal)
     return np.maximum(strokes, borders)
+
+
+def without_stains(contrast: Gray, floor: float, diagonal: float) -> Gray:
+    """Contrast less that of wide pale areas with a grain: stains, smudges, the wash of a wiped board.
+
+    The arguments are those of `without_fills`; returns `contrast` itself where there is no such area.
+    """
+    inked = contrast[contrast > floor]
+    if not len(inked):
+        return contrast
+    darkest = float(np.percentile(inked, 95))
+    pen_width = rough_pen_width(np.asarray(contrast > 0.4 * darkest))
+    box = _box(max(NARROW * diagonal, 5.0 * pen_width))
+    wide = _u8(cv2.morphologyEx(_u8(cv2.blur(contrast, (5, 5))), cv2.MORPH_OPEN, box))
+    if int(wide.max()) <= floor:
+        return contrast
+    count, area = cv2.connectedComponents(_u8(wide > 0.5 * floor), connectivity=4)
+    pale = np.bincount(area[wide > PALE * darkest], minlength=count) == 0  # an area that is dark in part is a fill
+    stain = np.where(pale[area], wide, np.uint8(0))
+    return _u8(cv2.subtract(contrast, _u8(cv2.convertScaleAbs(stain, alpha=GRAIN))))
 
 
 def _u8(array: NDArray[np.generic]) -> Gray:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.clutter import without_clutter
-from sketch2shape.fills import without_fills
+from sketch2shape.fills import without_fills, without_stains
 from sketch2shape.grain import with_weak_places, without_burrs
 from sketch2shape.ground import read_ground
 from sketch2shape.hatching import without_hatching
@@ -59,7 +59,8 @@ def find_ink(picture: Picture) -> Ink:
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     diagonal = float(np.hypot(*contrast.shape))
-    part = without_fills(contrast[frame], floor, diagonal)
+    part = contrast[frame] if ground.clean else without_stains(contrast[frame], floor, diagonal)
+    part = without_fills(part, floor, diagonal)
     ringing = ringing_of(part)
     weakest = WEAKEST if marks == floor else 1.0
     drawn = ink_mask(part, floor, ringing, weakest)

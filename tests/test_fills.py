@@ -44,6 +44,18 @@ def test_fills_without_outline_give_their_borders() -> None:
     assert not mask[150:210, 90:150].any()
 
 
+def test_a_stain_is_no_ink_and_what_is_drawn_on_it_is() -> None:
+    rng = np.random.default_rng(7)
+    drawn = cv2.polylines(np.zeros((400, 560), np.uint8), [2 * SQUARE - 60, 2 * TOP - 60], True, 1, 2) > 0
+    image = 235.0 + cv2.GaussianBlur(rng.normal(0, 4, drawn.shape), (0, 0), 1.0)
+    stain = cv2.circle(np.zeros(drawn.shape), (150, 120), 85, 1.0, -1)
+    image -= 26 * cv2.GaussianBlur(stain, (0, 0), 2.0)
+    image[drawn] -= 170
+    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
+    assert mask[drawn].mean() > 0.98
+    assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.01 * drawn.sum()
+
+
 def test_thick_strokes_are_no_fill() -> None:
     image = np.full((180, 180), 255, np.uint8)
     cv2.polylines(image, [np.array([[30, 60], [110, 60], [110, 150], [30, 150]])], True, 0, 19)

@@ -38,6 +38,18 @@ def test_colours(ground: tuple[int, int, int], ink: tuple[int, int, int]) -> Non
     assert agrees(*page(ground, ink))
 
 
+def test_thin_dark_lines_in_the_shadow_decide_against_the_grain_of_the_bright_paper() -> None:
+    rng = np.random.default_rng(3)
+    drawn = cv2.polylines(np.zeros((400, 500), np.uint8), [STAR // 2 + [30, 60]], True, 1, 2) > 0
+    lit = np.where(np.arange(500) < 260, 70.0, 225.0)[None, :] * np.linspace(1.0, 0.8, 400)[:, None]
+    image = cv2.GaussianBlur(np.where(drawn, 0.45 * lit, lit), (0, 0), 1.2)
+    image += cv2.GaussianBlur(rng.normal(0, 9, image.shape), (0, 0), 0.8) * image / 225
+    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
+    assert mask[drawn].mean() > 0.9
+    near = cv2.dilate(drawn.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    assert (mask & ~near).sum() < 0.3 * drawn.sum()
+
+
 @pytest.mark.parametrize("lowest", [0.8, 0.5, 0.35])
 def test_uneven_light(lowest: float) -> None:
     image, drawn = page((240, 240, 240), (60, 60, 60))
