@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 import stand_in
@@ -19,6 +20,9 @@ from sketch2shape.batch.manifest import NAME
 from sketch2shape.cli import parse
 from sketch2shape.command import run
 from sketch2shape.errors import UsageError, WriteError
+
+ROOT = Path(__file__).parents[2]
+_KINDS = ("clean_wire_oblique", "clean_removed_axono", "taper_wire")
 
 
 @pytest.fixture
@@ -91,6 +95,15 @@ def test_the_same_bytes_for_any_number_of_jobs_and_after_a_stop(here):
             os.unlink(f"stopped/{name}")
     assert command("in", "-o", "stopped", "--json", "--resume") == 0
     assert snapshot("stopped") == snapshot("one")
+
+
+def test_the_same_bytes_for_any_hash_seed(drawings, tmp_path):
+    for seed in ("1", "2"):
+        call = [sys.executable, "-m", "sketch2shape", *(str(drawings / f"{kind}/000.png") for kind in _KINDS)]
+        call += ["-o", str(tmp_path / seed), "--json", "--quiet", "--jobs", seed]
+        subprocess.run(call, env={**os.environ, "PYTHONHASHSEED": seed}, cwd=ROOT, check=True)
+    assert len(snapshot(tmp_path / "1")) == 7
+    assert snapshot(tmp_path / "1") == snapshot(tmp_path / "2")
 
 
 def test_resume_works_off_what_is_left_only(here):
