@@ -61,10 +61,14 @@ def _u8(array: NDArray[np.generic]) -> Gray:
 def _surface(paper: Gray, mask: Bools) -> Gray | None:
     """0/1 map of the surfaces that carry the ink, holes filled; None where there is but one surface."""
     step = cv2.morphologyEx(paper, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-    ink = cv2.resize(mask.astype(np.float32), paper.shape[1::-1], interpolation=cv2.INTER_AREA)
-    grain = cv2.blur(ink, (9, 9)) > 1.4 * TEXTURE
-    smooth = ((step <= np.maximum(3.0, STEP * 2 * paper)).all(axis=2) & ~grain).astype(np.uint8)
-    count, labels = cv2.connectedComponents(smooth, connectivity=4)
+    limit = np.maximum(_u8(cv2.convertScaleAbs(paper, alpha=2 * STEP)), np.uint8(3))
+    over = _u8(step > limit)
+    edge = cv2.transform(over, np.ones((1, 3), np.float32)) > 0
+    drawn = cv2.resize(mask.view(np.uint8) * np.uint8(255), paper.shape[1::-1], interpolation=cv2.INTER_AREA)
+    ink = drawn * np.float32(1 / 255)
+    smooth = _u8(~edge & (cv2.blur(ink, (9, 9)) <= 1.4 * TEXTURE))
+    count, found = cv2.connectedComponents(smooth, connectivity=4)
+    labels = found.astype(np.intp)
     sizes = np.bincount(labels.ravel(), minlength=count)
     if count < 2 or sizes[1:].max() > 0.97 * ink.size:
         return None
@@ -80,7 +84,8 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     main = int(np.argmax(np.where(whole if whole.any() else empty, area, 0.0)))
     strip = rim**2 > 9.0 * sizes  # table along the picture's frame
     carries = ~strip & (held >= INK_SHARE * max(held[main], 1.0))
-    kept = empty & (carries | _shaded(paper, ink, inner, count, main)) & (area > 0.02 * ink.size)
+    wide = empty & (area > 0.02 * ink.size)
+    kept = (wide & carries) | _shaded(paper, ink, inner, main, wide & ~carries)
     kept[main] = True
     region = cv2.morphologyEx(kept[labels].astype(np.uint8), cv2.MORPH_CLOSE, np.ones((7, 7)))
     contours, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
@@ -92,16 +97,22 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     return filled if 0.1 * ink.size < np.count_nonzero(filled) < 0.97 * ink.size else None
 
 
-def _shaded(paper: Gray, ink: NDArray[Any], inner: NDArray[Any], count: int, main: int) -> Bools:
-    """(n,) surfaces into which strokes run from the main one, and which have its colour under other light."""
-    _, piece = cv2.connectedComponents((ink > FAINTEST).astype(np.uint8), connectivity=8)
-    shared = np.bincount(piece[inner == main], minlength=int(piece.max()) + 1) >= LEAST_SHARED
+def _shaded(paper: Gray, ink: NDArray[Any], inner: NDArray[Any], main: int, others: Bools) -> Bools:
+    """(n,) surfaces of `others` into which strokes run from the main one, with its colour under other light."""
+    result = np.zeros(len(others), dtype=np.bool_)
+    if not others.any():
+        return result
+    pieces, piece = cv2.connectedComponents(_u8(ink > FAINTEST), connectivity=8)
+    shared = np.bincount(piece[inner == main], minlength=pieces) >= LEAST_SHARED
     shared[0] = False
-    joined = np.bincount(inner[shared[piece]], minlength=count) >= LEAST_SHARED
-    area = np.maximum(np.bincount(inner.ravel(), minlength=count), 1)
-    colours = [np.bincount(inner.ravel(), weights=plane.ravel(), minlength=count) / area for plane in cv2.split(paper)]
-    light = np.stack([c / max(float(c[main]), 1.0) for c in colours])
-    return np.asarray(joined & (light.max(axis=0) < SAME_COLOUR * light.min(axis=0)))
+    strokes = shared[piece]
+    colour = np.array(cv2.mean(paper, _u8(inner == main))[:3])
+    for other in np.flatnonzero(others):
+        here = inner == other
+        if np.count_nonzero(strokes & here) >= LEAST_SHARED:
+            light = np.array(cv2.mean(paper, _u8(here))[:3]) / np.maximum(colour, 1.0)
+            result[other] = light.max() < SAME_COLOUR * light.min()
+    return result
 
 
 def _quadrilateral(region: Gray) -> Floats | None:
