@@ -175,8 +175,9 @@ def _nearly_joined(parts: Parts, labels: NDArray[np.int32], large: Bools, pen_wi
     index = np.full(int(labels.max()) + 1, -1)
     index[parts.labels] = np.arange(len(parts.labels))
     index[0] = -1
-    ys, xs = np.nonzero(close & (labels > 0) & ~large)
-    which = index[labels[ys, xs]]
+    where = np.flatnonzero(close & (labels > 0) & ~large)
+    which = index[labels.ravel()[where]]
+    ys, xs = np.divmod(where, labels.shape[1])
     points = np.stack([xs, ys], axis=1)[which >= 0]
     low, high = np.full((len(parts.labels), 2), np.inf), np.full((len(parts.labels), 2), -np.inf)
     np.minimum.at(low, which[which >= 0], points)

@@ -140,8 +140,9 @@ def _is_even(levels: Counts, ground: int) -> bool:
 
 def _lies_on_table(gray: Gray, ground: int) -> bool:
     """Something wide has another level: a table or a shadow that runs into the frame, or a page amidst a table."""
-    h, w = gray.shape
-    coarse = _reduced(gray, min(1.0, MAP_SIDE / max(h, w)))
+    step = max(1, max(gray.shape) // (2 * MAP_SIDE))
+    sample = np.ascontiguousarray(gray[::step, ::step])
+    coarse = _reduced(sample, min(1.0, MAP_SIDE / max(sample.shape)))
     other = _u8(cv2.threshold(cv2.absdiff(coarse, np.full_like(coarse, ground)), 24, 1, cv2.THRESH_BINARY)[1])
     wide = _u8(cv2.morphologyEx(other, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8)))
     _, labels = cv2.connectedComponents(wide, connectivity=4)
