@@ -129,7 +129,8 @@ def _from_region(graph: CornerGraph, region: Region, most: int = 24) -> Iterator
     corner, ring = snap(region.outline, graph, reach)
     if not 3 <= len(ring) <= 64:
         return
-    islands = tuple(snap(p, graph, reach)[1] for p in region.islands)
+    # a speck whose vertices all come to lie on one corner is no hole
+    islands = tuple(p for p in (snap(q, graph, reach)[1] for q in region.islands) if len(p) >= 3)
     yield from _swept(ring, islands, rungs_of(corner, ring, graph), graph, most)
 
 

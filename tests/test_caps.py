@@ -5,7 +5,7 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
 
 from sketch2shape.caps import caps
-from sketch2shape.regions import enclosed_regions
+from sketch2shape.regions import Region, enclosed_regions
 from sketch2shape.rounds import Round, corner_graph, vertex_candidates
 from sketch2shape.strokes import thin, trace_strokes
 
@@ -49,3 +49,14 @@ def test_a_hole_in_the_cap_comes_with_its_back():
 def test_rungs_leave_the_cap_so_a_lone_polygon_gives_nothing():
     picture = outline(L_SHAPE)
     assert hypotheses(picture) == []
+
+
+def test_a_speck_on_a_corner_is_no_hole():
+    ink = ink_of(prism(SQUARE, SQUARE + DEPTH, "removed"))
+    skeleton = thin(ink)
+    traced = trace_strokes(skeleton, 1.5)
+    graph = corner_graph(skeleton, vertex_candidates(traced, Round(1.5, 2.0), ink.pen_width), 2.0)
+    speck = Region(SQUARE, (SQUARE[0] + [[1.0, 0], [1, 1], [0, 1]],))
+    found = list(caps(graph, [speck], ink.pen_width))
+    assert found
+    assert all(len(ring) >= 3 for r in found for ring in r.front)
