@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ink, Ints
 
-KEPT = 40
+KEPT = 48
 """Pixels of a growing stroke that are looked at again when it grows."""
 MOST_PIECES = 700
 """Pieces of lines that are looked at, the longest: a drawing has far fewer, a scribble or a texture any number."""
