@@ -5,7 +5,7 @@ A wavy hand bends its lines, and every bend looks like a flat vertex.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,12 +33,13 @@ def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float, poi
         n = sum(rings.sizes)
         # what dropping a true vertex costs goes with its share of the edges
         slack = min(0.15 / n, 0.002 + 0.03 * max(0.0, noise - 0.3)) + thick
-        seen = evidence.drawn if noise > 0.5 else np.ones(n, bool)
-        ways = [w for w in _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5), seen) if plausible(w[0], 0.0)]
-        for (fewer, hidden), judged in zip(ways, judge_all([w[0] for w in ways], sheet), strict=True):
-            limit = best - slack - hidden * UNSEEN_BEND
-            if noise > 0.5 and limit - 0.3 < judged.score < limit:
-                fewer, judged = _settled(fewer, judged, sheet, points)
+        ways = _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5), evidence.drawn, sheet.pen)
+        ways = [w for w in ways if plausible(w.rings, 0.0)]
+        for way, judged in zip(ways, judge_all([w.rings for w in ways], sheet), strict=True):
+            fewer = way.rings
+            limit = best - slack - (noise > 0.5 and way.is_unseen_bend) * UNSEEN_BEND
+            if noise > 0.5 and judged.score < limit and (way.is_blunt_tip or judged.score > limit - 0.3):
+                fewer, judged = _settled(way, judged, sheet, points)
             if judged.score >= limit:
                 rings, evidence, best = fewer, judged, max(best, judged.score)
                 break
@@ -46,32 +47,49 @@ def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float, poi
             return rings, evidence
 
 
-def _settled(rings: Rings, judged: Evidence, sheet: Sheet, points: Floats) -> tuple[Rings, Evidence]:
-    """Moved to the ink: one stroke in place of two lies between them."""
-    moved, _ = refine(rings, points, 3 * sheet.reach, judged.drawn)
+class _Way(NamedTuple):
+    """A way to make a hypothesis simpler.
+
+    rings          : what is left of it
+    drawn          : (m,) bool, back vertices that ink shows
+    is_blunt_tip   : whether an edge of no more than two pen widths has been drawn together to a tip
+    is_unseen_bend : whether a flat vertex goes whose partner behind nobody sees
+    """
+
+    rings: Rings
+    drawn: Bools
+    is_blunt_tip: bool = False
+    is_unseen_bend: bool = False
+
+
+def _settled(way: _Way, judged: Evidence, sheet: Sheet, points: Floats) -> tuple[Rings, Evidence]:
+    """Moved to the ink: one stroke in place of two lies between them, and a blunt tip does not reach its corner."""
+    moved, _ = refine(way.rings, points, 3 * sheet.reach, way.drawn)
     return moved, judge(moved, sheet) if plausible(moved, 0.0) else judged
 
 
-def _simpler(rings: Rings, short: float, drawn: Bools) -> Iterator[tuple[Rings, bool]]:
-    """The rings with a flat vertex dropped, or with an edge that is short in both faces drawn together to a tip.
-
-    Also says whether what goes is a flat vertex whose partner behind nobody sees.
-    """
-    start = 0
+def _simpler(rings: Rings, short: float, drawn: Bools, pen: float) -> list[_Way]:
+    """Without a flat vertex, or with an edge that is short in both faces drawn together to a tip."""
+    ways, start = [], 0
     for k, (front, back) in enumerate(zip(rings.front, rings.back, strict=True)):
         n = len(front)
-        seen = drawn[start : start + n]
+        here = start + np.arange(n)
         start += n
         if n <= 3:
             continue
         turns = [_turn(front, i) + _turn(back, i) for i in range(n)]
         for i in np.argsort(turns)[: sum(t < 2 * FLAT for t in turns)]:
-            yield _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0)), not seen[i]
+            fewer = _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0))
+            ways.append(_Way(fewer, np.delete(drawn, here[i]), is_unseen_bend=not drawn[here[i]]))
         for i in range(n):
             j = (i + 1) % n
-            if np.linalg.norm(front[i] - front[j]) < short and np.linalg.norm(back[i] - back[j]) < short:
-                tips = without_edge(front, i), without_edge(back, i)
-                yield _replaced(rings, k, *tips), False
+            length = max(np.linalg.norm(front[i] - front[j]), np.linalg.norm(back[i] - back[j]))
+            if length < short:
+                either = drawn.copy()
+                either[here[i]] |= drawn[here[j]]
+                fewer = _replaced(rings, k, without_edge(front, i), without_edge(back, i))
+                ways.append(_Way(fewer, np.delete(either, here[j]), is_blunt_tip=bool(length < 2 * pen)))
+    return ways
 
 
 def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:
