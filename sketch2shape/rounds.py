@@ -38,6 +38,10 @@ class Round:
     crossings: bool = False
 
 
+CLOSE = Round(1.0, 3.0)
+"""A close look at ruled lines: polygons with slight bends, on long lines that other rounds take for straight."""
+
+
 def rounds_for(size: float, pen: float) -> list[Round]:
     """From ruled lines to a heavy wobble. A wobbling stroke still ends in a sharp corner: fine tracing, wide reach.
 

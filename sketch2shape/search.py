@@ -18,7 +18,7 @@ from sketch2shape import caps, separate
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, refine
 from sketch2shape.rings import Rings, plausible, split
-from sketch2shape.rounds import Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
+from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
 from sketch2shape.simplify import simplified
@@ -31,6 +31,10 @@ MOST_STEPS = 24000
 PERFECT = 0.995
 COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
+STEADY = 0.4
+"""Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
+CLOSE_LOOK = 0.95
+"""Score below which it is worth taking."""
 UNSTEADY = 0.5
 """Wobble of strokes, pixels, with which the round for ruled lines is left out."""
 RULED = 3.0
@@ -185,16 +189,19 @@ def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
     traced = Traced(group, skeleton, 0.0)
-    last: Attempt | None = None
+    found: list[Attempt] = []
     for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
         if k and tolerant.reach > COARSEST * narrow:
             break
         if traced.tolerance != tolerant.trace:
             traced = Traced(group, skeleton, tolerant.trace)
-        if (k == 0 and traced.wobble > UNSTEADY) or (k == 1 and last is not None and last.is_sound):
+        if (k == 0 and traced.wobble > UNSTEADY) or (k == 1 and found and found[-1].is_sound):
             continue
-        last = _attempt(traced, tolerant, k)
-        yield last
+        found.append(_attempt(traced, tolerant, k))
+        yield found[-1]
+    traced = Traced(group, skeleton, CLOSE.trace)
+    if found and max(a.score for a in found) < CLOSE_LOOK and traced.wobble < STEADY:
+        yield _attempt(traced, CLOSE, len(found))
 
 
 def _attempt(traced: Traced, tolerant: Round, number: int) -> Attempt:

@@ -19,7 +19,11 @@ from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ink, Ints
 
-KEPT = 48
+RULED = 1.0
+"""Tolerance, pixels, up to which lines are taken for ruled."""
+RULED_BOW, HAND_BOW = 0.004, 0.012
+"""How far a line may bow, as a part of its length."""
+KEPT = 40
 """Pixels of a growing stroke that are looked at again when it grows."""
 MOST_PIECES = 700
 """Pieces of lines that are looked at, the longest: a drawing has far fewer, a scribble or a texture any number."""
@@ -219,7 +223,7 @@ def _straighten(pieces: list[Floats], pen: float) -> _Lines:
     return _Lines(kept, _moments(kept) * share[:, None], ends, extent[:, 1] - extent[:, 0] + 1.0)
 
 
-def _joined(a: _Lines, b: _Lines, tolerance: float) -> tuple[_Lines, Bools]:
+def _joined(a: _Lines, b: _Lines, tolerance: float, bow: float) -> tuple[_Lines, Bools]:
     """Pairs of lines as one stroke each, and which pairs do lie on one line."""
     points = np.concatenate([a.points, b.points], axis=1)
     ends = np.concatenate([a.ends, b.ends], axis=1)
@@ -230,14 +234,14 @@ def _joined(a: _Lines, b: _Lines, tolerance: float) -> tuple[_Lines, Bools]:
     along = ((ends - centre[:, None]) * direction[:, None]).sum(axis=2)
     low, high = along.min(axis=1), along.max(axis=1)
     joined = centre[:, None] + np.stack([low, high], axis=1)[..., None] * direction[:, None]
-    return _Lines(_kept(points), moments, joined, a.inked + b.inked), off <= np.maximum(tolerance, 0.012 * (high - low))
+    return _Lines(_kept(points), moments, joined, a.inked + b.inked), off <= np.maximum(tolerance, bow * (high - low))
 
 
-def _merge(lines: _Lines, tolerance: float, bridge: float) -> _Lines:
+def _merge(lines: _Lines, tolerance: float, bow: float, bridge: float) -> _Lines:
     """Merge pieces of one line, the closest ends first, until nothing fits any more."""
     while True:
         i, j = _close_pairs(lines, tolerance, bridge)
-        merged, fits = _joined(lines.some(i), lines.some(j), tolerance)
+        merged, fits = _joined(lines.some(i), lines.some(j), tolerance, bow)
         free = np.ones(len(lines.inked), bool)
         chosen = []
         for k in np.flatnonzero(fits).tolist():
@@ -277,7 +281,9 @@ def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = No
     pieces = sorted(pieces, key=lambda p: -len(p))[:MOST_PIECES]
     if not pieces:
         return Strokes(np.zeros((0, 2, 2)), np.zeros(0), tolerance)
-    lines = _merge(_straighten(pieces, pen), tolerance, 2.5 * pen + 2 * tolerance + 2)
+    # a ruler makes no bows, however long the line; a hand does
+    bow = RULED_BOW if tolerance <= RULED else HAND_BOW
+    lines = _merge(_straighten(pieces, pen), tolerance, bow, 2.5 * pen + 2 * tolerance + 2)
     lengths = np.linalg.norm(lines.ends[:, 1] - lines.ends[:, 0], axis=1)
     order = np.argsort(-lengths, kind="stable")
     return Strokes(lines.ends[order], np.minimum(lines.inked / (lengths + 1.0), 1.0)[order], tolerance)
