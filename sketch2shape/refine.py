@@ -169,6 +169,39 @@ def plane_map(front: Floats, back: Floats, drawn: Bools, tolerance: float | None
     return best
 
 
+def on_map(rings: Rings, drawn: Bools, least: float) -> list[Rings]:
+    """The rings with the pair of vertices that fits the plane map worst put right, at the back or at the front.
+
+    least : pixels; a pair that misses the map of all others by less, or by hardly more than others do, is left alone
+    """
+    vertices, m = rings.vertices, len(drawn)
+    seen = np.flatnonzero(drawn)
+    if len(seen) < 4:
+        return []
+    off = np.full(m, -1.0)
+    off[seen] = _misses(vertices[:m], vertices[m:], drawn)[seen]
+    worst = int(off.argmax())
+    others = drawn.copy()
+    others[worst] = False
+    h = plane_map(vertices[:m], vertices[m:], others, least)
+    misses = np.linalg.norm(homology.apply(h, vertices[:m]) - vertices[m:], axis=1)
+    if not misses[worst] > max(least, 3.0 * float(np.median(misses[others]))):
+        return []
+    ways = []
+    for at, other, way in ((m + worst, worst, h), (worst, m + worst, np.linalg.inv(h))):
+        put = vertices.copy()
+        put[at] = homology.apply(way, vertices[other : other + 1])[0]
+        if np.isfinite(put).all():
+            ways.append(split(put, rings.sizes))
+    return ways
+
+
+def _misses(front: Floats, back: Floats, drawn: Bools) -> Floats:
+    """(m,) float, pixels: by how much each vertex misses the similarity through all drawn ones."""
+    h = homology.similarity(front[drawn], back[drawn])
+    return np.asarray(np.linalg.norm(homology.apply(h, front) - back, axis=1))
+
+
 def map_cost(front: Floats, back: Floats, drawn: Bools) -> float:
     """How elaborate the plane map is: 0 for an exact translation, growing with degrees of freedom and misfit."""
     seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)

@@ -16,7 +16,7 @@ import numpy as np
 
 from sketch2shape import caps, separate
 from sketch2shape.model import Floats, Ink
-from sketch2shape.refine import map_cost, refine
+from sketch2shape.refine import map_cost, on_map, refine
 from sketch2shape.rings import Rings, plausible, split
 from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group, split_groups
@@ -59,13 +59,13 @@ class Found:
 
     rings     : in working pixels
     evidence  : how well it agrees with the ink
-    reach     : of the round that found it, pixels
+    sheet     : what it was compared with, as strictly as its lines allow
     noise     : rms distance between model and ink, pixels
     """
 
     rings: Rings
     evidence: Evidence
-    reach: float
+    sheet: Sheet
     noise: float = 0.0
 
     @property
@@ -153,10 +153,14 @@ def _is_settled(attempt: Attempt, before: list[Attempt]) -> bool:
 
 
 def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> Found | None:
-    """The one with more merit; the other needs more by the handicap."""
+    """The one with more merit under the same tolerance; the other needs more by the handicap."""
     if best is None or other is None:
         return best or other
-    return other if _merit(other) - handicap > _merit(best) else best
+    same = best
+    if other.sheet.reach > best.sheet.reach:
+        seen = judge(best.rings, other.sheet)
+        same = replace(best, evidence=seen) if seen.score > best.evidence.score else best
+    return other if _merit(other) - handicap > _merit(same) else best
 
 
 @dataclass(frozen=True)
@@ -278,13 +282,29 @@ def _merit(found: Found) -> float:
     return found.evidence.score - 0.002 * len(front) - 0.5 * map_cost(front, back, found.evidence.drawn)
 
 
+def _put_right(rings: Rings, judged: Evidence, sheet: Sheet, points: Floats) -> tuple[Rings, Evidence]:
+    """With a vertex that was caught by the wrong ink put where the plane map has it, if that explains more."""
+    for _ in range(3):
+        for way in on_map(rings, judged.drawn, 3.0 * sheet.reach):
+            moved, _ = refine(way, points, sheet.reach, judged.drawn)
+            if plausible(moved, 0.0):
+                better = judge(moved, sheet)
+                if better.score > judged.score:
+                    rings, judged = moved, better
+                    break
+        else:
+            break
+    return rings, judged
+
+
 def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
     """The hypothesis moved to the ink and without needless vertices, judged as strictly as the lines allow."""
     moved, noise = refine(rings, skeleton.points, sheet.reach, evidence.drawn)
     if not plausible(moved, 0.0) or judge(moved, sheet).score < evidence.score - 0.01:
         moved = rings
     strict = replace(sheet, reach=min(sheet.reach, max(2.0, 3.0 * noise + 0.1 * sheet.pen + 1.0)))
-    simpler, judged = simplified(moved, judge(moved, strict), strict, noise, skeleton.points)
+    moved, judged = _put_right(moved, judge(moved, strict), strict, skeleton.points)
+    simpler, judged = simplified(moved, judged, strict, noise, skeleton.points)
     if len(simpler.vertices) < len(moved.vertices):
         again, noise = refine(simpler, skeleton.points, sheet.reach, judged.drawn)
         if plausible(again, 0.0):
@@ -295,5 +315,5 @@ def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet)
         # a wide reach bridges the gaps of dashes; and only a front that is seen whole can be in front
         for way in (simpler, simpler.swapped()):
             if is_dashed(way, strict):
-                return Found(way, replace(judge(way, strict), lines="dashed"), sheet.reach, noise)
-    return Found(simpler, judged, sheet.reach, noise)
+                return Found(way, replace(judge(way, strict), lines="dashed"), strict, noise)
+    return Found(simpler, judged, strict, noise)

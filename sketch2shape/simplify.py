@@ -17,6 +17,8 @@ from sketch2shape.verify import Evidence, Sheet, judge, judge_all
 
 UNSEEN_BEND = 0.03
 """Score that a wavy drawing may lose with a flat vertex of which only a bend in the front's outline tells."""
+MARK = 0.006
+"""Score that any drawing may lose with a vertex whose ink the rest of the object does not need: a mark at a corner."""
 FLAT = 0.35
 """A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
 
@@ -40,6 +42,8 @@ def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float, poi
             limit = best - slack - (noise > 0.5 and way.is_unseen_bend) * UNSEEN_BEND
             if noise > 0.5 and judged.score < limit and (way.is_blunt_tip or judged.score > limit - 0.3):
                 fewer, judged = _settled(way, judged, sheet, points)
+            if judged.support >= evidence.support - 0.0005 and judged.weakest >= evidence.weakest - 0.01:
+                limit -= MARK
             if judged.score >= limit:
                 rings, evidence, best = fewer, judged, max(best, judged.score)
                 break

@@ -5,7 +5,7 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, prism, shrunk
 
 from sketch2shape.homology import apply
-from sketch2shape.refine import plane_map, refine
+from sketch2shape.refine import on_map, plane_map, refine
 from sketch2shape.rings import Rings
 from sketch2shape.strokes import thin
 
@@ -82,3 +82,12 @@ def test_the_plane_map_is_no_richer_than_the_drawing_needs():
     found = plane_map(SQUARE, tilted, seen)
     assert np.abs(found[2, :2]).max() > 1e-5
     assert apply(found, SQUARE) == pytest.approx(tilted, abs=1e-6)
+
+
+def test_a_vertex_that_was_caught_by_the_wrong_ink_is_put_where_the_others_say():
+    back = HEXAGON + DEPTH
+    caught = back.copy()
+    caught[2] += [18.0, -14]
+    ways = on_map(Rings((HEXAGON,), (caught,)), np.ones(6, bool), 6.0)
+    assert any(np.abs(way.back[0] - back).max() < 1e-6 and np.array_equal(way.front[0], HEXAGON) for way in ways)
+    assert on_map(Rings((HEXAGON,), (back + 0.5,)), np.ones(6, bool), 6.0) == []
