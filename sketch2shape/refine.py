@@ -188,7 +188,7 @@ def on_map(rings: Rings, drawn: Bools, least: float) -> list[Rings]:
     if not misses[worst] > max(least, 3.0 * float(np.median(misses[others]))):
         return []
     ways = []
-    for at, other, way in ((m + worst, worst, h), (worst, m + worst, np.linalg.inv(h))):
+    for at, other, way in ((m + worst, worst, h), (worst, m + worst, np.asarray(np.linalg.inv(h), float))):
         put = vertices.copy()
         put[at] = homology.apply(way, vertices[other : other + 1])[0]
         if np.isfinite(put).all():
