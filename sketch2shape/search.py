@@ -26,6 +26,8 @@ from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.verify import Evidence, Sheet, is_dashed, judge
 
 GOOD = 0.98
+MOST_VAIN = 3
+"""Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
 MOST_STEPS = 24000
 """Steps of the search for cycles in one round."""
 PERFECT = 0.995
@@ -76,9 +78,10 @@ class Found:
 
 def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
     """Closed ladders of rungs, each also with the smaller ones inside it as holes."""
+    steps = iter(range(MOST_STEPS))
     for ladder in separate.ladders(graph):
         found: dict[frozenset[int], Rings] = {}
-        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6):
+        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, steps):
             key = frozenset(cycle.tolist())
             if key not in found:
                 found[key] = separate.ring_pair(ladder, graph, cycle)
@@ -99,10 +102,14 @@ def _holed(found: dict[frozenset[int], Rings]) -> Iterator[Rings]:
 def find_all(ink: Ink) -> list[Found]:
     """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
     found: list[Found] = []
+    vain = 0
     for group in split_groups(ink):
         if found and group.size < LEAST_COMPANION * found[0].size:
             break
+        if vain >= MOST_VAIN:
+            break
         best = find(group)
+        vain += best is None or best.evidence.score < LEAST_SCORE
         if best is not None and (best.evidence.score >= LEAST_SCORE or not found):
             found.append(replace(best, rings=best.rings.shifted(group.offset)))
             found.sort(key=lambda f: -(f.evidence.score >= LEAST_SCORE) * f.size)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import cv2
 import numpy as np
@@ -21,7 +22,7 @@ from sketch2shape.rings import Rings
 
 LIKELY_MAPS = 400
 """Maps looked at closely, those that carry the most rungs."""
-MOST_RUNGS = 3000
+MOST_RUNGS = 800
 """A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
 
 
@@ -84,7 +85,7 @@ def _from_one(graph: CornerGraph, rungs: Ints, links: Bools) -> Floats:
     return homology.translation(graph.points[rungs[some, 1]] - graph.points[rungs[some, 0]])
 
 
-def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -> Floats:
+def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 1200) -> Floats:
     """A similarity for each pair of linked rungs whose face edges are parallel."""
     i, j = np.nonzero(np.triu(links, 1))
     p = graph.points
@@ -100,7 +101,7 @@ def _from_two(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -
     return homology.similarity(src, dst) if len(i) else np.zeros((0, 3, 3))
 
 
-def _from_three(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 6000) -> Floats:
+def _from_three(graph: CornerGraph, rungs: Ints, links: Bools, most: int = 2000) -> Floats:
     """A homology for each chain of three linked rungs."""
     chain = _chains(rungs, links)
     if not len(chain):
@@ -150,8 +151,8 @@ def _matches(graph: CornerGraph, rungs: Ints, maps: Floats) -> Bools:
     """(maps, rungs): whether the map carries the rung's first corner onto its second."""
     image = homology.apply(maps, graph.points)
     with np.errstate(invalid="ignore"):
-        off = np.linalg.norm(image[:, rungs[:, 0]] - graph.points[rungs[:, 1]], axis=2)
-    return np.asarray(off <= graph.tolerance)
+        off = image[:, rungs[:, 0]] - graph.points[rungs[:, 1]]
+        return np.asarray(off[..., 0] ** 2 + off[..., 1] ** 2 <= graph.tolerance**2)
 
 
 def _best_maps(graph: CornerGraph, rungs: Ints, links: Bools, maps: Floats, most: int) -> Floats:
@@ -239,12 +240,16 @@ def _homologies(src: Floats, dst: Floats, mine: Bools) -> Floats:
     return maps
 
 
-def likely_cycles(ladder: Ladder, graph: CornerGraph, budget: int) -> Iterator[Ints]:
-    """Cycles without links that run on through a rung between, then, where there are such links, all cycles."""
+def likely_cycles(ladder: Ladder, graph: CornerGraph, budget: int, steps: Iterator[int]) -> Iterator[Ints]:
+    """Cycles without links that run on through a rung between, then, where there are such links, all cycles.
+
+    budget : most steps of one search
+    steps  : what is left of the steps for all ladders
+    """
     through = _runs_through(ladder, graph)
     if through.any():
-        yield from cycles(replace(ladder, links=ladder.links & ~through), budget)
-    yield from cycles(ladder, budget)
+        yield from cycles(replace(ladder, links=ladder.links & ~through), islice(steps, budget))
+    yield from cycles(ladder, islice(steps, budget))
 
 
 def _runs_through(ladder: Ladder, graph: CornerGraph) -> Bools:
@@ -267,8 +272,8 @@ def _runs_through(ladder: Ladder, graph: CornerGraph) -> Bools:
     return through
 
 
-def cycles(ladder: Ladder, budget: int = 4000) -> Iterator[Ints]:
-    """Simple cycles of rungs, (n,) indices into ladder.rungs.
+def cycles(ladder: Ladder, steps: Iterator[int]) -> Iterator[Ints]:
+    """Simple cycles of rungs, (n,) indices into ladder.rungs; the search ends when there are no steps left.
 
     No corner serves twice in one face; one may serve once in each (coincident vertices). The first corners taken are
     those of rungs with the fewest neighbours, where there is least to choose.
@@ -278,13 +283,11 @@ def cycles(ladder: Ladder, budget: int = 4000) -> Iterator[Ints]:
     rank[order] = np.arange(len(order))
     near = [[int(k) for k in np.flatnonzero(row)] for row in ladder.links]
     taken = [(1 << int(a), 1 << int(b)) for a, b in ladder.rungs]
-    steps = 0
     for start in order.tolist():
         stack = [(start, (start,), *taken[start])]
         while stack:
             node, path, front, back = stack.pop()
-            steps += 1
-            if steps > budget:
+            if next(steps, None) is None:
                 return
             for after in near[node]:
                 if after == start and len(path) >= 3 and path[1] < path[-1]:

@@ -31,7 +31,7 @@ def readings(graph):
     """Every pair of faces that the separator finds, as two sets of points."""
     found = set()
     for ladder in ladders(graph):
-        for cycle in cycles(ladder):
+        for cycle in cycles(ladder, iter(range(4000))):
             rings = ring_pair(ladder, graph, cycle)
             found.add(frozenset(frozenset(map(tuple, r.round().tolist())) for r in (rings.front[0], rings.back[0])))
     return found
