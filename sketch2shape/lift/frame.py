@@ -44,7 +44,7 @@ def _lean(edges: Floats) -> float:
     off = (angle[:, None] - angle + np.pi / 4) % (np.pi / 2) - np.pi / 4
     support = (np.abs(off) < _ALIGNED) @ weight
     best = int(support.argmax())
-    if support[best] < _SHARE * float(weight.sum()):
+    if support[best] <= _SHARE * float(weight.sum()):
         return 0.0
     near = np.abs(off[:, best]) < _ALIGNED
     mean = angle[best] + float(weight[near] @ off[near, best]) / float(weight[near].sum())

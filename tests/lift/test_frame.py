@@ -34,3 +34,7 @@ def test_upright_rests_on_its_base(up, axis):
     assert stood[[0, 1, 4, 5], axis] == pytest.approx(0.0)
     assert stood[[2, 3, 6, 7], axis] == pytest.approx(2.0)
     assert np.linalg.det(turned) == pytest.approx(1.0)
+
+
+def test_a_face_without_any_extent_leans_nowhere():
+    assert np.isfinite(own_axes(np.zeros((4, 3)), np.array([0.0, 0, 5]), [4])).all()
