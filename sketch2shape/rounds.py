@@ -100,8 +100,8 @@ class Traced:
 
     @cached_property
     def regions(self) -> list[Region]:
-        """What the ink encloses."""
-        return enclosed_regions(self.group.ink.mask, self.skeleton.pen_width, self.tolerance)
+        """What the ink of larger pieces encloses: dashes, their gaps closed, would cut a face in two."""
+        return enclosed_regions(self.group.solid, self.skeleton.pen_width, self.tolerance)
 
     @cached_property
     def dash_ends(self) -> Floats:
