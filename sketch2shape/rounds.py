@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import cv2
 import numpy as np
 
 from sketch2shape.corners import crossings, join_ends
@@ -100,8 +101,16 @@ class Traced:
 
     @cached_property
     def regions(self) -> list[Region]:
-        """What the ink of larger pieces encloses: dashes, their gaps closed, would cut a face in two."""
-        return enclosed_regions(self.group.solid, self.skeleton.pen_width, self.tolerance)
+        """What the ink encloses.
+
+        Of larger pieces alone where these enclose as much: dashes, their gaps closed, would cut a face in two.
+        """
+        pen, ink = self.skeleton.pen_width, self.group.ink.mask
+        solid = enclosed_regions(self.group.solid, pen, self.tolerance)
+        if np.count_nonzero(self.group.solid) == np.count_nonzero(ink):
+            return solid
+        every = enclosed_regions(ink, pen, self.tolerance)
+        return solid if _area(solid) > 0.9 * _area(every) else every
 
     @cached_property
     def dash_ends(self) -> Floats:
@@ -120,3 +129,8 @@ def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
     at = skeleton.points.astype(np.intp)
     weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
     return skeleton_sheet(skeleton.distance, skeleton.points, weights, reach + 0.5, skeleton.pen_width)
+
+
+def _area(regions: list[Region]) -> float:
+    """What they cover in all, pixels."""
+    return sum(float(cv2.contourArea(r.outline.astype(np.float32))) for r in regions)
