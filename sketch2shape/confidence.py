@@ -1,6 +1,6 @@
 """Confidence: from how well an answer explains its drawing to how often such answers are right.
 
-The score of verification is no probability. The table below was read off some 1,100 answers on drawings of many media
+The score of verification is no probability. The table below was read off some 1,400 answers on drawings of many media
 and on real pictures: what part of the answers with a score near this was right, with a margin. Of answers given with
 0.9 or more at least 99 in 100 should be right; `scripts/evaluate.py` draws the reliability diagram.
 """
@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-SCORES = (0.0, 0.5, 0.65, 0.8, 0.95, 0.98, 0.99, 1.0)
-CONFIDENCES = (0.0, 0.3, 0.4, 0.55, 0.75, 0.9, 0.95, 0.995)
+SCORES = (0.0, 0.65, 0.8, 0.9, 0.979, 0.98, 0.99, 1.0)
+CONFIDENCES = (0.0, 0.2, 0.5, 0.8, 0.85, 0.9, 0.96, 0.995)
 REFUSE_BELOW = 0.4
 """Confidence below which an answer is no answer: most such answers are wrong, or there is nothing to be found."""
 

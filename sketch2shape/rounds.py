@@ -31,12 +31,14 @@ class Round:
     reach : how far ink may lie from the straight line between two corners
     loose : whether to try the shapes of regions alone, without corners
     crossings : whether the crossing of two strokes may be a vertex too (two vertices may coincide)
+    last_resort : whether it is for drawings that no other round explains
     """
 
     trace: float
     reach: float
     loose: bool = False
     crossings: bool = False
+    last_resort: bool = False
 
 
 CLOSE = Round(1.0, 3.0)
@@ -54,6 +56,7 @@ def rounds_for(size: float, pen: float) -> list[Round]:
         Round(max(1.5, 0.08 * pen), max(4.0, 0.011 * size, 0.3 * pen)),
         Round(max(2.5, 0.006 * size, 0.15 * pen), max(4.0, 0.014 * size, 0.4 * pen), True),
         Round(max(4.0, 0.012 * size, 0.25 * pen), max(6.0, 0.02 * size, 0.5 * pen), True),
+        Round(max(6.0, 0.02 * size, 0.3 * pen), max(9.0, 0.033 * size, 0.6 * pen), True, last_resort=True),
     ]
 
 

@@ -35,8 +35,10 @@ COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
 STEADY = 0.4
 """Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
-CLOSE_LOOK = 0.95
-"""Score below which it is worth taking."""
+ROUGH = 0.9
+"""Score that the roughest round has to reach: so much tolerance finds something in any tangle."""
+CONTENT = 0.95
+"""Score from which neither the roughest round nor a close look is worth taking."""
 UNSTEADY = 0.5
 """Wobble of strokes, pixels, with which the round for ruled lines is left out."""
 RULED = 3.0
@@ -208,10 +210,15 @@ def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
             traced = Traced(group, skeleton, tolerant.trace)
         if (k == 0 and traced.wobble > UNSTEADY) or (k == 1 and found and found[-1].is_sound):
             continue
-        found.append(_attempt(traced, tolerant, k))
-        yield found[-1]
+        if tolerant.last_resort and found and max(a.score for a in found) >= CONTENT:
+            break
+        attempt = _attempt(traced, tolerant, k)
+        if tolerant.last_resort and attempt.score < ROUGH:
+            break
+        found.append(attempt)
+        yield attempt
     traced = Traced(group, skeleton, CLOSE.trace)
-    if found and max(a.score for a in found) < CLOSE_LOOK and traced.wobble < STEADY:
+    if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
         yield _attempt(traced, CLOSE, len(found))
 
 

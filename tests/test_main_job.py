@@ -8,16 +8,9 @@ from sketch2shape.reconstruct import reconstruct
 from sketch2shape.report import report
 from sketch2shape.synthetic import metrics
 
-#: drawings that are still read wrongly, and what happens; docs/results.md shows them
-KNOWN = {
-    "handheavy_wire/000": "heavy wobble",
-}
 
-
-def test_the_object_of_each_committed_drawing_is_found(drawing, request):
+def test_the_object_of_each_committed_drawing_is_found(drawing):
     path, truth = drawing
-    if truth["id"] in KNOWN:
-        request.applymarker(pytest.mark.xfail(reason=KNOWN[truth["id"]], strict=False))
     if truth.get("objects") == []:
         with pytest.raises(NoObjectError):
             reconstruct(path)
