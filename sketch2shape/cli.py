@@ -171,6 +171,12 @@ def _bytes(text: str) -> int:
     return _scaled(text, 1024)
 
 
+def _compute_in_one_thread() -> None:
+    """Ask the linear algebra, before it is loaded, not to start threads: for small matrices they only cost time."""
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
     words = list(sys.argv[1:] if argv is None else argv)
@@ -180,6 +186,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             from sketch2shape.ui.serve import main as serve
 
             return serve(words[1:])
+        _compute_in_one_thread()
         from sketch2shape.command import run
 
         return run(arguments)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 
@@ -116,3 +117,11 @@ def test_interrupted(monkeypatch, capsys):
     monkeypatch.setattr("sketch2shape.command.run", stop)
     assert main(["a.png"]) == 130
     assert capsys.readouterr().err == "sketch2shape: interrupted\n"
+
+
+def test_the_command_starts_no_threads_for_small_matrices(monkeypatch):
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    assert main(["nothing.png"]) == 4
+    assert os.environ["OPENBLAS_NUM_THREADS"] == "1"
+    assert os.environ["OMP_NUM_THREADS"] == "3"  # whoever asks for more gets it
