@@ -19,6 +19,7 @@ from sketch2shape.rings import Frame, Rings, Stack, stack
 from sketch2shape.strokes import project, thinned
 from sketch2shape.visibility import edge_samples, hidden_depth, hidden_samples
 
+STYLES: tuple[Lines, Lines, Lines] = ("wire", "dashed", "removed")
 MOST_POINTS = 2000
 """Skeleton pixels that are compared, at most."""
 FIRST_LOOK = 16
@@ -145,63 +146,62 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     v, edges = stacked.vertices, stacked.frame.edges
     span = v[:, edges[:, 1]] - v[:, edges[:, 0]]
     lengths = np.sqrt(np.einsum("...k,...k", span, span))
-    return [_evidence(points[k], near[k], depth[k], lengths[k], stacked.frame, sheet) for k in range(len(stacked))]
-
-
-def _evidence(
-    points: Floats, near: Bools, depth: NDArray[np.uint8], lengths: Floats, frame: Frame, sheet: Sheet
-) -> Evidence:
     hidden = depth == 2
-    lines = _line_style(near, hidden, lengths)
-    wanted = np.ones_like(hidden) if lines == "wire" else ~_grown(depth >= 1, lengths, 5 * sheet.reach)
+    style = _line_styles(near, hidden, lengths)
+    wire, dashed, removed = ((style == k)[:, None, None] for k in range(3))
+    wanted = wire | ~_grown(depth >= 1, lengths, 5 * sheet.reach)
     support, weakest = _support(near, wanted, lengths)
-    dashes = 1.0
-    if lines == "dashed":
-        behind, faintest = _support(near, hidden, lengths)
-        support = min(support, 0.6 * support + 0.4 * min(1.0, behind / 0.45))
-        # who dashes hidden edges dashes all of them
-        dashes = min(1.0, 0.85 + 0.15 * faintest / 0.25)
-    shown = wanted if lines == "removed" else np.ones_like(wanted)
-    explained = _explained(points, shown, sheet)
+    behind, faintest = _support(near, hidden, lengths)
+    with_dashes = np.minimum(support, 0.6 * support + 0.4 * np.minimum(1.0, behind / 0.45))
+    support = np.where(dashed[:, 0, 0], with_dashes, support)
+    shown = wanted | ~removed
+    explained = np.array([_explained(points[k], shown[k], sheet) for k in range(len(stacked))])
+    drawn = _drawn(near & shown, stacked.frame)
     score = 2 * support * explained / (support + explained + 1e-9)
-    score *= min(1.0, 0.5 + 0.5 * weakest / 0.75) * dashes
-    drawn = _drawn(near & shown, frame)
-    if drawn.sum() < 2:
-        # a face alone, with all that would make it an object hidden behind it
-        score *= 0.4
-    return Evidence(score, support, explained, weakest, lines, drawn)
+    score *= np.minimum(1.0, 0.5 + 0.5 * weakest / 0.75)
+    # who dashes hidden edges dashes all of them
+    score *= np.where(dashed[:, 0, 0], np.minimum(1.0, 0.85 + 0.15 * faintest / 0.25), 1.0)
+    # a face alone, with all that would make it an object hidden behind it
+    score *= np.where(drawn.sum(axis=1) < 2, 0.4, 1.0)
+    return [
+        Evidence(float(score[k]), float(support[k]), float(explained[k]), float(weakest[k]), STYLES[style[k]], drawn[k])
+        for k in range(len(stacked))
+    ]
 
 
 def _grown(hidden: Bools, lengths: Floats, margin: float) -> Bools:
     """Hidden samples and those within margin pixels of one: where a line dives behind a contour, nobody can say."""
-    count = np.ceil(margin * hidden.shape[1] / (lengths + 1e-9)).astype(int)
-    total = np.cumsum(np.pad(hidden, ((0, 0), (1, 0))), axis=1)
-    at = np.arange(hidden.shape[1])[None]
-    low = np.maximum(at - count[:, None], 0)
-    high = np.minimum(at + count[:, None] + 1, hidden.shape[1])
-    rows = np.arange(len(hidden))[:, None]
-    return np.asarray(total[rows, high] > total[rows, low])
+    n = hidden.shape[2]
+    count = np.ceil(margin * n / (lengths + 1e-9)).astype(np.intp)[..., None]
+    total = np.zeros((*hidden.shape[:2], n + 1), np.intp)
+    np.cumsum(hidden, axis=2, out=total[..., 1:])
+    at = np.arange(n)
+    low = np.maximum(at - count, 0)
+    high = np.minimum(at + count + 1, n)
+    return np.asarray(np.take_along_axis(total, high, axis=2) > np.take_along_axis(total, low, axis=2))
 
 
-def _support(near: Bools, wanted: Bools, lengths: Floats) -> tuple[float, float]:
-    """(part of the wanted length that is inked, the same for the weakest edge)."""
-    weight = wanted * lengths[:, None] / near.shape[1]
-    total = weight.sum(axis=1)
-    if total.sum() <= 0:
-        return 1.0, 1.0
-    share = (near * weight).sum(axis=1) / (total + 1e-9)
+def _support(near: Bools, wanted: Bools, lengths: Floats) -> tuple[Floats, Floats]:
+    """(b,) part of the wanted length that is inked, and (b,) the same for the weakest edge; 1 if nothing is wanted."""
+    n = near.shape[2]
+    total = wanted.sum(axis=2) * lengths / n
+    inked = (near & wanted).sum(axis=2) * lengths / n
     # what is left of a partly hidden edge must be long enough to tell
-    notable = total > np.where(wanted.all(axis=1), 0.03, 0.12) * lengths.max()
-    return float((near * weight).sum() / total.sum()), float(share[notable].min()) if notable.any() else 1.0
+    notable = total > np.where(wanted.all(axis=2), 0.03, 0.12) * lengths.max(axis=1, keepdims=True)
+    weakest = np.where(notable, inked / (total + 1e-9), 1.0).min(axis=1)
+    every = total.sum(axis=1)
+    nothing = every <= 0
+    return np.where(nothing, 1.0, inked.sum(axis=1) / np.where(nothing, 1.0, every)), np.where(nothing, 1.0, weakest)
 
 
-def _line_style(near: Bools, hidden: Bools, lengths: Floats) -> Lines:
-    """From how much of the hidden length is inked: nearly all, some, or little."""
-    weight = hidden * lengths[:, None]
-    if weight.sum() < 0.02 * near.shape[1] * lengths.sum():
-        return "wire"
-    share = float((near * weight).sum() / weight.sum())
-    return "wire" if share > 0.93 else "dashed" if share > 0.3 else "removed"
+def _line_styles(near: Bools, hidden: Bools, lengths: Floats) -> Ints:
+    """(b,) index into STYLES, from how much of the hidden length is inked: nearly all, some, or little."""
+    n = near.shape[2]
+    length = (hidden.sum(axis=2) * lengths).sum(axis=1)
+    inked = ((near & hidden).sum(axis=2) * lengths).sum(axis=1)
+    share = inked / (length + 1e-9)
+    few = length < 0.02 * n * lengths.sum(axis=1)
+    return np.where(few | (share > 0.93), 0, np.where(share > 0.3, 1, 2))
 
 
 def is_dashed(rings: Rings, sheet: Sheet) -> bool:
@@ -246,11 +246,13 @@ def _runs(show: Bools) -> list[tuple[int, int]]:
 
 
 def _drawn(lit: Bools, frame: Frame) -> Bools:
-    """Back vertices at which at least two shown edge ends have ink (lit: samples shown and inked)."""
+    """(b, m) back vertices at which at least two shown edge ends have ink (lit: samples shown and inked)."""
     half = len(frame.after)
-    first, last = lit[:, :10].mean(axis=1) > 0.3, lit[:, -10:].mean(axis=1) > 0.3
-    ends = np.concatenate([frame.edges[first, 0], frame.edges[last, 1]])
-    return np.asarray(np.bincount(ends, minlength=2 * half)[half:] >= 2)
+    at = np.arange(2 * half)
+    first, last = lit[..., :10].mean(axis=2) > 0.3, lit[..., -10:].mean(axis=2) > 0.3
+    starts, ends = frame.edges[:, :1] == at, frame.edges[:, 1:] == at
+    count = first.astype(np.float32) @ starts.astype(np.float32) + last.astype(np.float32) @ ends.astype(np.float32)
+    return np.asarray(count[:, half:] >= 2)
 
 
 def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Floats, reach: float, pen: float) -> Sheet:
