@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 SCORES = (0.0, 0.65, 0.8, 0.9, 0.979, 0.98, 0.99, 1.0)
-CONFIDENCES = (0.0, 0.2, 0.5, 0.8, 0.85, 0.9, 0.96, 0.995)
+CONFIDENCES = (0.0, 0.4, 0.5, 0.8, 0.85, 0.9, 0.96, 0.995)
 REFUSE_BELOW = 0.4
 """Confidence below which an answer is no answer: most such answers are wrong, or there is nothing to be found."""
 
