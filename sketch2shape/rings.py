@@ -64,12 +64,14 @@ class Frame:
     edges  : (3m, 2) int, front, back and connecting edges of each ring in turn
     after  : (m,) int, the next vertex of the same ring
     behind : (3m,) bool, edges that something may hide: all but those of the front
+    rungs  : (m,) int, the connecting edges, in the order of the vertices they start from
     spans  : start and end of each ring
     """
 
     edges: Ints
     after: Ints
     behind: Bools
+    rungs: Ints
     spans: tuple[tuple[int, int], ...]
 
 
@@ -80,7 +82,9 @@ def frame(sizes: tuple[int, ...]) -> Frame:
     spans = tuple(pairwise(starts))
     after = np.concatenate([np.r_[a + 1 : b, a] for a, b in spans])
     behind = np.concatenate([np.repeat([False, True, True], n) for n in sizes])
-    return Frame(ring_edges(list(sizes)), after, behind, spans)
+    edges = ring_edges(list(sizes))
+    rungs = np.flatnonzero(edges[:, 1] - edges[:, 0] == sum(sizes))
+    return Frame(edges, after, behind, rungs, spans)
 
 
 @dataclass(frozen=True)

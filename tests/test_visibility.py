@@ -50,3 +50,13 @@ def test_seen_through_a_hole_the_back_is_not_hidden():
     assert through[2] < 0.3
     assert through[0] > 0.7
     assert through[1] > 0.7
+
+
+def test_an_edge_that_runs_behind_no_more_than_a_tip_may_be_hidden_from_there_on():
+    #   |\ the spike at 2 covers a few pixels of the edge from the vertex 0
+    f1 = np.array([[100.0, 200], [150, 260], [160, 160], [240, 330], [100, 330]])
+    sure, perhaps = hidden_samples(Rings((f1,), (f1 + [200.0, -100],)), 3.0)
+    rung = 2 * len(f1)
+    assert not perhaps[rung, :8].any()
+    assert perhaps[rung, 14:].all()
+    assert not sure[rung].any()
