@@ -138,7 +138,7 @@ def find(group: Group) -> Found | None:
         # an answer that is good but not perfect has to hold against those of the next round
         if best is not None and (best.evidence.score >= PERFECT or k > good_since + _is_busy(best)):
             break
-        if (best is None and _is_scribble(attempt)) or _is_settled(attempt, before):
+        if (best is None and _is_scribble(attempt)) or _is_settled(best, attempt, before):
             break
         before.append(attempt)
         if best is not None and best.evidence.score >= GOOD - 0.01 * k:
@@ -148,17 +148,22 @@ def find(group: Group) -> Found | None:
     return best
 
 
+def _is_sound(evidence: Evidence) -> bool:
+    """Whether all that should have been drawn has, whatever else has been drawn."""
+    return evidence.score >= POOR and evidence.support > 0.97 and evidence.weakest > 0.8
+
+
 def _is_scribble(attempt: Attempt) -> bool:
     """Whether there are more strokes than any drawing has, and nothing explains them even roughly."""
     return attempt.score < 0.5 and len(attempt.traced.strokes.ends) > DENSE
 
 
-def _is_settled(attempt: Attempt, before: list[Attempt]) -> bool:
+def _is_settled(best: Found | None, attempt: Attempt, before: list[Attempt]) -> bool:
     """Whether a clearly wider search finds the same object, all of it drawn: the ink left over is none of it."""
     reach = attempt.sheet.reach
-    return attempt.is_sound and any(
-        b.is_sound and 1.5 * b.sheet.reach < reach and _alike(attempt.best, b.best, reach) for b in before
-    )
+    if best is None or not _is_sound(best.evidence) or not attempt.is_sound:
+        return False
+    return any(b.is_sound and 1.5 * b.sheet.reach < reach and _alike(attempt.best, b.best, reach) for b in before)
 
 
 def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> Found | None:
@@ -194,7 +199,7 @@ class Attempt:
     @property
     def is_sound(self) -> bool:
         """Whether all of the best hypothesis has been drawn, whatever else has."""
-        return self.score >= POOR and self.shortlist[0][1].support > 0.97 and self.shortlist[0][1].weakest > 0.8
+        return bool(self.shortlist) and _is_sound(self.shortlist[0][1])
 
 
 def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
