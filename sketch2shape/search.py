@@ -161,7 +161,7 @@ def _is_scribble(attempt: Attempt) -> bool:
 def _is_settled(best: Found | None, attempt: Attempt, before: list[Attempt]) -> bool:
     """Whether a clearly wider search finds the same object, all of it drawn: the ink left over is none of it."""
     reach = attempt.sheet.reach
-    if best is None or not _is_sound(best.evidence) or not attempt.is_sound:
+    if best is None or not _is_sound(best.evidence) or not attempt.is_sound or best.evidence.explained > GOOD:
         return False
     return any(b.is_sound and 1.5 * b.sheet.reach < reach and _alike(attempt.best, b.best, reach) for b in before)
 
