@@ -18,6 +18,8 @@ SHORTLIST = 5
 MOST_HYPOTHESES = 160
 PERFECT = 0.995
 LARGEST_BATCH = 24
+SHALLOWEST = 2.5
+"""Length of the longest connecting edge over the reach of a line: less deep, both faces would be the same ink."""
 LEAST = 0.5
 """Hypotheses that cannot reach this score are not judged: refinement would not save them."""
 
@@ -59,7 +61,9 @@ def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
     for sizes in {r.sizes for r in batch}:
         index = [k for k, r in enumerate(batch) if r.sizes == sizes]
         alike = stack([batch[k] for k in index])
-        ok = np.flatnonzero(which_plausible(alike, 1.5 * sheet.pen))
+        apart = alike.faces[:, 1] - alike.faces[:, 0]
+        deep = np.hypot(apart[..., 0], apart[..., 1]).max(axis=1) >= SHALLOWEST * sheet.reach
+        ok = np.flatnonzero(which_plausible(alike, 1.5 * sheet.pen) & deep)
         ok = ok[most_possible(alike.some(ok), sheet) >= LEAST]
         found.update(zip([index[k] for k in ok], judge_stack(alike.some(ok), sheet), strict=True))
     return [(batch[k], found[k]) for k in sorted(found)]

@@ -40,3 +40,9 @@ def test_what_is_known_stays_in_the_running():
 def test_the_same_hypothesis_is_judged_once_and_nonsense_never():
     infinite = Rings((SQUARE,), (SQUARE + np.inf,))
     assert len(list(verified([infinite, BOX, BOX, Rings((SQUARE,), (SQUARE,))], SHEET))) == 1
+
+
+def test_two_faces_on_the_same_lines_are_no_object():
+    sheet = sheet_of(prism(SQUARE, SQUARE + DEPTH), reach=8.0)
+    assert len(list(verified([BOX], sheet))) == 1
+    assert list(verified([Rings((SQUARE,), (SQUARE + [9.0, -6],))], sheet)) == []
