@@ -114,13 +114,7 @@ def run(cases: list[Case], jobs: int, seconds: float) -> list[Case]:
             try:
                 outcomes.append(next(results))
             except Exception as error:  # whatever ended the worker is this case's outcome
-                lost = {
-                    "status": "lost",
-                    "message": f"{type(error).__name__}: {error}",
-                    "answers": [],
-                    "ms": seconds * 1e3,
-                }
-                outcomes.append(case | lost | scored(case["truth"], lost))
+                outcomes.append(_lost(case, error, seconds))
             if sys.stderr.isatty():
                 print(f"\r{number + 1} of {len(cases)}", end="", file=sys.stderr)
     return outcomes

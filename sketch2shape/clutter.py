@@ -13,11 +13,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.model import Bools, Floats, Gray, Ints
 from sketch2shape.pen import rough_pen_width
 from sketch2shape.pieces import connected_pieces
-
-Gray = NDArray[np.uint8]
 
 SMALL = 0.14
 """Components up to this share of the largest one's diagonal are looked at."""

@@ -20,7 +20,7 @@ from sketch2shape.lift import choose_front
 from sketch2shape.model import Floats, TwoFaceObject
 from sketch2shape.placing import as_object, to_working
 from sketch2shape.regions import enclosed_regions
-from sketch2shape.rings import Rings
+from sketch2shape.rings import Rings, coincide
 from sketch2shape.rounds import Round, corner_graph, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.shortlist import MOST_HYPOTHESES, verified
@@ -95,11 +95,6 @@ def _alike(a: TwoFaceObject, b: TwoFaceObject) -> bool:
     """Whether two objects have the same pair of faces, to within a few pixels, whichever is called the front."""
     near = 4.0 + 0.01 * float(np.linalg.norm(np.ptp(a.vertices, axis=0)))
     return any(
-        _same_points(a.f1, f1, near) and _same_points(a.f2, f2, near) and len(a.holes) == len(b.holes)
+        coincide(a.f1, f1, near) and coincide(a.f2, f2, near) and len(a.holes) == len(b.holes)
         for f1, f2 in ((b.f1, b.f2), (b.f2, b.f1))
     )
-
-
-def _same_points(a: Floats, b: Floats, near: float) -> bool:
-    gap = np.linalg.norm(a[:, None] - b[None], axis=2)
-    return bool(gap.min(axis=0).max() <= near and gap.min(axis=1).max() <= near)

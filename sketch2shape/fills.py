@@ -12,9 +12,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.model import Gray, as_gray
 from sketch2shape.pen import rough_pen_width
-
-Gray = NDArray[np.uint8]
 
 WIDE = 0.03
 """Ink wider than this share of the picture's diagonal may be a fill."""
@@ -44,7 +43,7 @@ def without_fills(contrast: Gray, floor: float, diagonal: float) -> Gray:
     if not core.any() or _are_thick_strokes(contrast, core):
         return contrast
     level = _fill_level(contrast, core, floor, NARROW * diagonal)
-    strokes = _u8(cv2.subtract(contrast, level))
+    strokes = as_gray(cv2.subtract(contrast, level))
     borders = _borders(level, strokes, floor, diagonal)
     return np.maximum(strokes, borders)
 
@@ -60,17 +59,13 @@ def without_stains(contrast: Gray, floor: float, diagonal: float) -> Gray:
     darkest = float(np.percentile(inked, 95))
     pen_width = rough_pen_width(np.asarray(contrast > 0.4 * darkest))
     box = _box(max(NARROW * diagonal, 5.0 * pen_width))
-    wide = _u8(cv2.morphologyEx(_u8(cv2.blur(contrast, (5, 5))), cv2.MORPH_OPEN, box))
+    wide = as_gray(cv2.morphologyEx(as_gray(cv2.blur(contrast, (5, 5))), cv2.MORPH_OPEN, box))
     if int(wide.max()) <= floor:
         return contrast
-    count, area = cv2.connectedComponents(_u8(wide > 0.5 * floor), connectivity=4)
+    count, area = cv2.connectedComponents(as_gray(wide > 0.5 * floor), connectivity=4)
     pale = np.bincount(area[wide > PALE * darkest], minlength=count) == 0  # an area that is dark in part is a fill
     stain = np.where(pale[area], wide, np.uint8(0))
-    return _u8(cv2.subtract(contrast, _u8(cv2.convertScaleAbs(stain, alpha=GRAIN))))
-
-
-def _u8(array: NDArray[np.generic]) -> Gray:
-    return np.asarray(array, dtype=np.uint8)
+    return as_gray(cv2.subtract(contrast, as_gray(cv2.convertScaleAbs(stain, alpha=GRAIN))))
 
 
 def _box(size: float) -> Gray:
@@ -88,7 +83,7 @@ def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool
     if not core.any():
         return core > 0
     _, labels, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
-        _u8(cv2.dilate(core, box)), 8, cv2.CV_32S, cv2.CCL_GRANA
+        as_gray(cv2.dilate(core, box)), 8, cv2.CV_32S, cv2.CCL_GRANA
     )
     large = stats[:, cv2.CC_STAT_AREA] >= BLOT * box.size
     large[0] = False
@@ -121,16 +116,16 @@ def _holes(part: Gray) -> int:
 
 def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: float) -> Gray:
     """The contrast of the fills alone, grown back into their sharp corners as far as the opening can have cut them."""
-    opened = _u8(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
+    opened = as_gray(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
     _, labels = cv2.connectedComponents(np.asarray(opened > floor, dtype=np.uint8), connectivity=4)
     filled = np.zeros(int(labels.max()) + 1, np.bool_)
     filled[labels[core]] = True
     level = np.where(filled[labels], opened, np.uint8(0))
-    highest = _u8(cv2.convertScaleAbs(contrast, alpha=1.0 / SAME_FILL))
-    lowest = _u8(cv2.convertScaleAbs(contrast, alpha=SAME_FILL))
+    highest = as_gray(cv2.convertScaleAbs(contrast, alpha=1.0 / SAME_FILL))
+    lowest = as_gray(cv2.convertScaleAbs(contrast, alpha=SAME_FILL))
     whole = opened > 0.9 * contrast  # nothing was cut off here
     for _ in range(int(narrow) + 2):
-        grown = _u8(cv2.dilate(level, np.ones((3, 3), np.uint8)))
+        grown = as_gray(cv2.dilate(level, np.ones((3, 3), np.uint8)))
         other = whole | (highest < grown) | (lowest > grown)  # the paper or another face, an outline
         level = np.where(other, level, np.minimum(grown, contrast))
     return level
@@ -138,10 +133,10 @@ def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: f
 
 def _borders(level: Gray, strokes: Gray, floor: float, diagonal: float) -> Gray:
     """Contrast of the borders between fills that no stroke follows."""
-    edges = _u8(cv2.Canny(level, 3.0 * floor, 6.0 * floor))
+    edges = as_gray(cv2.Canny(level, 3.0 * floor, 6.0 * floor))
     drawn = np.asarray(strokes > max(floor, 0.3 * float(strokes.max())), dtype=np.uint8)
     near = cv2.dilate(drawn, _box(NARROW * diagonal))
     edges[near > 0] = 0
-    step = _u8(cv2.morphologyEx(level, cv2.MORPH_GRADIENT, np.ones((5, 5), np.uint8)))
+    step = as_gray(cv2.morphologyEx(level, cv2.MORPH_GRADIENT, np.ones((5, 5), np.uint8)))
     wide = cv2.dilate(edges, np.ones((3, 3), np.uint8)) > 0
     return np.where(wide, np.maximum(step, np.uint8(2 * min(int(floor), 127))), np.uint8(0))

@@ -10,11 +10,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools
+from sketch2shape.model import Bools, Gray, as_gray
 from sketch2shape.pen import FINE, outline_length, rough_pen_width
 from sketch2shape.pieces import connected_pieces
-
-Gray = NDArray[np.uint8]
 
 ALONG = 7
 """Pixels along which the contrast of a hairline is averaged ..."""
@@ -50,10 +48,10 @@ def with_weak_places(drawn: Bools, contrast: Gray, floor: float) -> Bools:
 def _weak_places(contrast: Gray, floor: float) -> Bools:
     means = np.zeros_like(contrast)
     for turn in range(8):
-        means = np.maximum(means, _u8(cv2.filter2D(contrast, cv2.CV_8U, _short_line(turn * np.pi / 8))))
+        means = np.maximum(means, as_gray(cv2.filter2D(contrast, cv2.CV_8U, _short_line(turn * np.pi / 8))))
     box = np.ones((5, 5), np.uint8)
-    least = _u8(cv2.convertScaleAbs(cv2.dilate(contrast, box), alpha=WEAK))
-    along = _u8(cv2.convertScaleAbs(cv2.dilate(means, box), alpha=0.5))
+    least = as_gray(cv2.convertScaleAbs(cv2.dilate(contrast, box), alpha=WEAK))
+    along = as_gray(cv2.convertScaleAbs(cv2.dilate(means, box), alpha=0.5))
     return np.asarray((contrast > least) & (means > along) & (np.minimum(contrast, means) > int(floor)), dtype=np.bool_)
 
 
@@ -84,7 +82,3 @@ def without_burrs(drawn: Bools, pen_width: float) -> Bools:
     if fine.any():
         even |= drawn & (cv2.dilate(fine.view(np.uint8), np.ones((side + 2, side + 2), np.uint8)) > 0)
     return even
-
-
-def _u8(array: NDArray[np.generic]) -> Gray:
-    return np.asarray(array, dtype=np.uint8)

@@ -13,9 +13,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.model import Gray, as_gray
 from sketch2shape.paper import noise_of
 
-Gray = NDArray[np.uint8]
 Counts = NDArray[np.float64]
 
 LONG_SIDE = 1100
@@ -69,20 +69,20 @@ def read_ground(pixels: Gray) -> Ground:
     dark = _is_dark(gray, levels, ground, even)
     beyond = levels[: max(0, ground - 24)] if dark else levels[ground + 25 :]
     even = even and bool(beyond.sum() < 0.2 * levels.sum())  # else the frame shows the table, and the page lies on it
-    planes = [_u8(p) for p in (gray, *cv2.split(seen))] if coloured else [gray]
+    planes = [as_gray(p) for p in (gray, *cv2.split(seen))] if coloured else [gray]
     if dark:
-        planes = [_u8(cv2.bitwise_not(p)) for p in planes]
+        planes = [as_gray(cv2.bitwise_not(p)) for p in planes]
     papers = [] if even else [_uneven_paper(p) for p in planes]
     contrasts = [_even_contrast(p) for p in planes] if even else list(map(_contrast, planes, papers))
     contrast = contrasts[0]
     if len(contrasts) > 1:
         strongest = np.max(np.stack(contrasts[1:]), axis=0)
-        contrast = np.maximum(contrast, _u8(cv2.convertScaleAbs(strongest, alpha=COLOUR_SHARE)))
+        contrast = np.maximum(contrast, as_gray(cv2.convertScaleAbs(strongest, alpha=COLOUR_SHARE)))
     if not even:
         contrast = np.minimum(_levelled(contrast), _thin_contrast(planes[0]))
     noise = 0.0 if clean and even else noise_of(contrast)
     if noise > 3.0:
-        contrast, noise = _u8(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
+        contrast, noise = as_gray(cv2.GaussianBlur(contrast, (3, 3), 0)), 0.4 * noise
     return Ground(contrast, None if even else _coloured_paper(pixels, dark), clean and even, noise, scale)
 
 
@@ -94,7 +94,7 @@ def at_working_size(pixels: Gray) -> tuple[Gray, float]:
     scale = 1.0
     while max(pixels.shape[:2]) > 2 * LONG_SIDE:  # halving is ten times as fast as averaging over parts of pixels
         h, w = (max(1, n // 2) for n in pixels.shape[:2])
-        pixels = _u8(cv2.resize(pixels[: 2 * h, : 2 * w], (w, h), interpolation=cv2.INTER_AREA))
+        pixels = as_gray(cv2.resize(pixels[: 2 * h, : 2 * w], (w, h), interpolation=cv2.INTER_AREA))
         scale *= 0.5
     h, w = pixels.shape[:2]
     side = max(h, w)
@@ -103,21 +103,17 @@ def at_working_size(pixels: Gray) -> tuple[Gray, float]:
     factor = LONG_SIDE / side if side > LONG_SIDE else (3.0 if 2 * side < SMALL_SIDE else 2.0)
     size = (max(1, round(w * factor)), max(1, round(h * factor)))
     method = cv2.INTER_AREA if factor < 1 else cv2.INTER_CUBIC
-    return _u8(cv2.resize(pixels, size, interpolation=method)), scale * factor
+    return as_gray(cv2.resize(pixels, size, interpolation=method)), scale * factor
 
 
 def _gray(pixels: Gray) -> Gray:
-    return _u8(cv2.cvtColor(pixels, cv2.COLOR_RGB2GRAY))
-
-
-def _u8(array: NDArray[np.generic]) -> Gray:
-    return np.asarray(array, dtype=np.uint8)
+    return as_gray(cv2.cvtColor(pixels, cv2.COLOR_RGB2GRAY))
 
 
 def _reduced(gray: Gray, factor: float) -> Gray:
     h, w = gray.shape[:2]
     size = (max(1, round(w * factor)), max(1, round(h * factor)))
-    return _u8(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
+    return as_gray(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
 
 
 def _levels(gray: Gray) -> Counts:
@@ -143,8 +139,8 @@ def _lies_on_table(gray: Gray, ground: int) -> bool:
     step = max(1, max(gray.shape) // (2 * MAP_SIDE))
     sample = np.ascontiguousarray(gray[::step, ::step])
     coarse = _reduced(sample, min(1.0, MAP_SIDE / max(sample.shape)))
-    other = _u8(cv2.threshold(cv2.absdiff(coarse, np.full_like(coarse, ground)), 24, 1, cv2.THRESH_BINARY)[1])
-    wide = _u8(cv2.morphologyEx(other, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8)))
+    other = as_gray(cv2.threshold(cv2.absdiff(coarse, np.full_like(coarse, ground)), 24, 1, cv2.THRESH_BINARY)[1])
+    wide = as_gray(cv2.morphologyEx(other, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8)))
     _, labels = cv2.connectedComponents(wide, connectivity=4)
     area = np.bincount(labels.ravel()) / wide.size
     rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
@@ -153,7 +149,7 @@ def _lies_on_table(gray: Gray, ground: int) -> bool:
     if np.any((area > TABLE) & (along > TABLE)):
         return True
     largest = int(np.argmax(area))
-    return bool(area[largest] > PAGE and _corners_of(_u8(labels == largest)) == 4)
+    return bool(area[largest] > PAGE and _corners_of(as_gray(labels == largest)) == 4)
 
 
 def _corners_of(region: Gray) -> int:
@@ -210,7 +206,7 @@ def _is_dark(gray: Gray, levels: Counts, ground: int, even: bool) -> bool:
 def _even_contrast(plane: Gray) -> Gray:
     """1 - plane / level of the margin in 255ths, by a table."""
     levels = np.arange(256, dtype=np.uint8)
-    return _u8(cv2.LUT(plane, _contrast(levels, np.full_like(levels, max(_frame_level(plane), 1)))))
+    return as_gray(cv2.LUT(plane, _contrast(levels, np.full_like(levels, max(_frame_level(plane), 1)))))
 
 
 def _uneven_paper(plane: Gray) -> Gray:
@@ -224,28 +220,28 @@ def _uneven_paper(plane: Gray) -> Gray:
 def _coloured_paper(pixels: Gray, dark: bool) -> Gray:
     """The same for all colours, at the size at which surfaces are told apart."""
     small = _reduced(pixels, min(1.0, SURFACE_SIDE / max(pixels.shape[:2])))
-    return _closed(_u8(cv2.bitwise_not(small)) if dark else small)
+    return _closed(as_gray(cv2.bitwise_not(small)) if dark else small)
 
 
 def _closed(half: Gray) -> Gray:
     size = 2 * (max(half.shape[:2]) // 48) + 3
     wide = cv2.copyMakeBorder(half, size, size, size, size, cv2.BORDER_REPLICATE)
     closed = cv2.morphologyEx(wide, cv2.MORPH_CLOSE, np.ones((size, size), np.uint8))
-    return _u8(cv2.blur(closed, (5, 5))[size:-size, size:-size])
+    return as_gray(cv2.blur(closed, (5, 5))[size:-size, size:-size])
 
 
 def _contrast(plane: Gray, paper: Gray) -> Gray:
     """1 - plane / paper in 255ths, with the paper enlarged where it comes at half size."""
     if paper.shape != plane.shape:
-        paper = _u8(cv2.resize(paper, plane.shape[::-1], interpolation=cv2.INTER_LINEAR))
-    return _u8(cv2.bitwise_not(_u8(cv2.divide(plane, paper, scale=255.0))))
+        paper = as_gray(cv2.resize(paper, plane.shape[::-1], interpolation=cv2.INTER_LINEAR))
+    return as_gray(cv2.bitwise_not(as_gray(cv2.divide(plane, paper, scale=255.0))))
 
 
 def _thin_contrast(plane: Gray) -> Gray:
     """Contrast against what a small closing leaves: high on strokes, nothing beside the sharp edge of a shadow."""
-    smooth = _u8(cv2.GaussianBlur(plane, (3, 3), 0))
+    smooth = as_gray(cv2.GaussianBlur(plane, (3, 3), 0))
     side = 2 * (max(plane.shape) // 80) + 1
-    return _contrast(smooth, _u8(cv2.morphologyEx(smooth, cv2.MORPH_CLOSE, np.ones((side, side), np.uint8))))
+    return _contrast(smooth, as_gray(cv2.morphologyEx(smooth, cv2.MORPH_CLOSE, np.ones((side, side), np.uint8))))
 
 
 def _levelled(contrast: Gray) -> Gray:
@@ -253,4 +249,4 @@ def _levelled(contrast: Gray) -> Gray:
     h, w = contrast.shape
     sample = cv2.resize(contrast, (max(1, w // 8), max(1, h // 8)), interpolation=cv2.INTER_NEAREST)
     bias = cv2.resize(cv2.blur(cv2.medianBlur(sample, 11), (5, 5)), (w, h), interpolation=cv2.INTER_LINEAR)
-    return _u8(cv2.subtract(contrast, bias))
+    return as_gray(cv2.subtract(contrast, bias))

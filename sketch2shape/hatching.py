@@ -8,12 +8,9 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats
+from sketch2shape.model import Bools, Floats, Gray
 from sketch2shape.pen import rough_pen_width
-
-Gray = NDArray[np.uint8]
 
 SPACING = 0.018
 """Lines of a hatching are at most this share of the picture's diagonal apart."""

@@ -11,19 +11,16 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from sketch2shape.clutter import without_clutter
 from sketch2shape.fills import without_fills, without_stains
 from sketch2shape.grain import with_weak_places, without_burrs
 from sketch2shape.ground import read_ground
 from sketch2shape.hatching import without_hatching
-from sketch2shape.model import Bools, Floats, Ink, Picture
+from sketch2shape.model import Bools, Floats, Gray, Ink, Picture, as_gray
 from sketch2shape.page import find_page, page_homography
 from sketch2shape.paper import noise_of, paper_marks, without_bands
 from sketch2shape.pen import FINE, pen_width_of, rough_pen_width
-
-Gray = NDArray[np.uint8]
 
 FLOOR = 8.0
 """Contrast below which nothing is ink, in 255ths."""
@@ -92,7 +89,7 @@ def _frame(contrast: Gray, floor: float) -> tuple[slice, slice] | None:
 
 
 def _above(contrast: Gray, floor: float) -> Gray:
-    return _u8(cv2.threshold(contrast, min(int(floor), 254), 1, cv2.THRESH_BINARY)[1])
+    return as_gray(cv2.threshold(contrast, min(int(floor), 254), 1, cv2.THRESH_BINARY)[1])
 
 
 def _rectification(corners: Floats, scale: float, picture: Picture) -> Floats:
@@ -108,8 +105,8 @@ def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0, weakest: float 
     """
     least = np.full_like(contrast, min(int(floor), 255))
     if ringing > 0.0:
-        peak = _u8(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))
-        least = np.maximum(least, _u8(cv2.convertScaleAbs(peak, alpha=ringing)))
+        peak = as_gray(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))
+        least = np.maximum(least, as_gray(cv2.convertScaleAbs(peak, alpha=ringing)))
     mask = _near_peak(contrast, least, 9, 0.5, weakest)
     pen_width = rough_pen_width(mask)
     if pen_width > 4.0:
@@ -119,10 +116,12 @@ def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0, weakest: float 
 
 
 def _near_peak(contrast: Gray, least: Gray, size: int, share: float, weakest: float) -> Bools:
-    peak = _u8(cv2.dilate(contrast, np.ones((size, size), np.uint8)))
-    above = contrast > np.maximum(least, _u8(cv2.convertScaleAbs(peak, alpha=share)))
+    peak = as_gray(cv2.dilate(contrast, np.ones((size, size), np.uint8)))
+    above = contrast > np.maximum(least, as_gray(cv2.convertScaleAbs(peak, alpha=share)))
     if weakest < 1.0:
-        lower = np.maximum(_u8(cv2.convertScaleAbs(least, alpha=weakest)), _u8(cv2.convertScaleAbs(peak, alpha=share)))
+        lower = np.maximum(
+            as_gray(cv2.convertScaleAbs(least, alpha=weakest)), as_gray(cv2.convertScaleAbs(peak, alpha=share))
+        )
         above |= (contrast > lower) & (peak > least)
     return np.asarray(above, dtype=np.bool_)
 
@@ -132,9 +131,9 @@ def ringing_of(contrast: Gray) -> float:
     if _count(contrast) - _count(_above(contrast, PALE - 1)) < 0.01 * contrast.size:
         return 0.0
     sample = contrast[::2]
-    peak = _u8(cv2.dilate(contrast, np.ones((9, 9), np.uint8)))[::2]
-    wide_peak = _u8(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))[::2]
-    third = _u8(cv2.convertScaleAbs(wide_peak, alpha=1 / 3))
+    peak = as_gray(cv2.dilate(contrast, np.ones((9, 9), np.uint8)))[::2]
+    wide_peak = as_gray(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))[::2]
+    third = as_gray(cv2.convertScaleAbs(wide_peak, alpha=1 / 3))
     around = np.flatnonzero((wide_peak > 80) & (peak < third))
     if len(around) < 100:
         return 0.0
@@ -144,7 +143,3 @@ def ringing_of(contrast: Gray) -> float:
 
 def _count(plane: Gray) -> int:
     return int(cv2.countNonZero(plane))
-
-
-def _u8(array: NDArray[np.generic]) -> Gray:
-    return np.asarray(array, dtype=np.uint8)

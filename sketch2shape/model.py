@@ -15,9 +15,15 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
 Bools = NDArray[np.bool_]
+Gray = NDArray[np.uint8]
 
 Lines = Literal["wire", "dashed", "removed"]
 """How hidden edges are drawn: like all others, dashed (or dotted), or not at all."""
+
+
+def as_gray(array: NDArray[Any]) -> Gray:
+    """The array as uint8, which OpenCV's types do not tell."""
+    return np.asarray(array, dtype=np.uint8)
 
 
 @dataclass(frozen=True)

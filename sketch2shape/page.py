@@ -12,9 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats
-
-Gray = NDArray[np.uint8]
+from sketch2shape.model import Bools, Floats, Gray, as_gray
 
 MAP_SIDE = 256
 """Long side of the map on which surfaces are told apart, pixels."""
@@ -43,7 +41,7 @@ def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
     h, w = mask.shape
     factor = MAP_SIDE / max(h, w)
     size = (max(8, round(w * factor)), max(8, round(h * factor)))
-    surface = _surface(_u8(cv2.resize(paper, size, interpolation=cv2.INTER_AREA)), mask)
+    surface = _surface(as_gray(cv2.resize(paper, size, interpolation=cv2.INTER_AREA)), mask)
     if surface is None:
         return None, None
     inside = cv2.erode(surface, np.ones((7, 7), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
@@ -54,19 +52,15 @@ def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
     return np.asarray(on_page > 0, dtype=np.bool_), corners
 
 
-def _u8(array: NDArray[np.generic]) -> Gray:
-    return np.asarray(array, dtype=np.uint8)
-
-
 def _surface(paper: Gray, mask: Bools) -> Gray | None:
     """0/1 map of the surfaces that carry the ink, holes filled; None where there is but one surface."""
     step = cv2.morphologyEx(paper, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
-    limit = np.maximum(_u8(cv2.convertScaleAbs(paper, alpha=2 * STEP)), np.uint8(3))
-    over = _u8(step > limit)
+    limit = np.maximum(as_gray(cv2.convertScaleAbs(paper, alpha=2 * STEP)), np.uint8(3))
+    over = as_gray(step > limit)
     edge = cv2.transform(over, np.ones((1, 3), np.float32)) > 0
     drawn = cv2.resize(mask.view(np.uint8) * np.uint8(255), paper.shape[1::-1], interpolation=cv2.INTER_AREA)
     ink = drawn * np.float32(1 / 255)
-    smooth = _u8(~edge & (cv2.blur(ink, (9, 9)) <= 1.4 * TEXTURE))
+    smooth = as_gray(~edge & (cv2.blur(ink, (9, 9)) <= 1.4 * TEXTURE))
     count, found = cv2.connectedComponents(smooth, connectivity=4)
     labels = found.astype(np.intp)
     sizes = np.bincount(labels.ravel(), minlength=count)
@@ -102,15 +96,15 @@ def _shaded(paper: Gray, ink: NDArray[Any], inner: NDArray[Any], main: int, othe
     result = np.zeros(len(others), dtype=np.bool_)
     if not others.any():
         return result
-    pieces, piece = cv2.connectedComponents(_u8(ink > FAINTEST), connectivity=8)
+    pieces, piece = cv2.connectedComponents(as_gray(ink > FAINTEST), connectivity=8)
     shared = np.bincount(piece[inner == main], minlength=pieces) >= LEAST_SHARED
     shared[0] = False
     strokes = shared[piece]
-    colour = np.array(cv2.mean(paper, _u8(inner == main))[:3])
+    colour = np.array(cv2.mean(paper, as_gray(inner == main))[:3])
     for other in np.flatnonzero(others):
         here = inner == other
         if np.count_nonzero(strokes & here) >= LEAST_SHARED:
-            light = np.array(cv2.mean(paper, _u8(here))[:3]) / np.maximum(colour, 1.0)
+            light = np.array(cv2.mean(paper, as_gray(here))[:3]) / np.maximum(colour, 1.0)
             result[other] = light.max() < SAME_COLOUR * light.min()
     return result
 

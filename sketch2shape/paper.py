@@ -9,12 +9,9 @@ import itertools
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats
+from sketch2shape.model import Bools, Floats, Gray
 from sketch2shape.pen import rough_pen_width
-
-Gray = NDArray[np.uint8]
 
 TILES = 10
 """The picture is cut into TILES x TILES to see what marks are everywhere."""

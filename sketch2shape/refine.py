@@ -15,7 +15,7 @@ import numpy as np
 from sketch2shape import homology
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.rings import Rings, frame, split
-from sketch2shape.strokes import project, thinned
+from sketch2shape.strokes import fit_lines, project, thinned
 
 STEPS = 3
 MOST_POINTS = 1500
@@ -90,6 +90,9 @@ def _measure(v: Floats, edges: Ints, points: Floats, reach: float) -> EdgeLines:
     # skeleton pixels per pixel of length, as the points may have been thinned out
     density = min(1.0, 1.5 * len(points) / float(length.sum()))
     rich = np.flatnonzero(count >= np.maximum(4.0, 0.2 * length * density))
+    if not len(rich):
+        none = np.zeros(0)
+        return EdgeLines(rich, np.zeros((0, 2)), none, none, none)
     centre, direction, spread = _lines_through(points, inside[:, rich])
     ok = np.abs((direction * u[rich]).sum(axis=1)) >= 0.9
     e = rich[ok]
@@ -100,17 +103,11 @@ def _measure(v: Floats, edges: Ints, points: Floats, reach: float) -> EdgeLines:
 
 def _lines_through(points: Floats, members: Bools) -> tuple[Floats, Floats, Floats]:
     """Total-least-squares line of each column's points: centre (m, 2), direction (m, 2), rms distance (m,)."""
-    if not members.shape[1]:
-        return np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0)
     origin = points.mean(axis=0)
     x, y = (points - origin).T
-    sums = np.stack([np.ones(len(x)), x, y, x * x, y * y, x * y]) @ members.astype(float)
-    mean = sums[1:] / sums[0]
-    xx, yy, xy = mean[2] - mean[0] ** 2, mean[3] - mean[1] ** 2, mean[4] - mean[0] * mean[1]
-    angle = 0.5 * np.arctan2(2 * xy, xx - yy)
-    c, s = np.cos(angle), np.sin(angle)
-    off = s * s * xx + c * c * yy - 2 * s * c * xy
-    return mean[:2].T + origin, np.stack([c, s], axis=1), np.sqrt(np.maximum(off, 0.0))
+    sums = members.T.astype(float) @ np.stack([np.ones(len(x)), x, y, x * x, y * y, x * y], axis=1)
+    centre, direction, spread = fit_lines(sums)
+    return centre + origin, direction, spread
 
 
 def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools, stiffness: float) -> Floats:

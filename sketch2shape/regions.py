@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats
-from sketch2shape.strokes import fit_line
 
 
 @dataclass(frozen=True)
@@ -77,33 +76,6 @@ def _region(label: NDArray[Any], stat: NDArray[Any], k: int, pen: float, toleran
     if not 3 <= len(polygons[0]) <= 64:
         return None
     return Region(polygons[0], tuple(p for p in polygons[1:] if 3 <= len(p) <= 64))
-
-
-def _polygon(contour: NDArray[Any], tolerance: float, pen: float) -> Floats:
-    """A closed contour's sides, and its vertices where the lines of neighbouring sides meet.
-
-    Thick ink rounds the inside of a corner and cuts off the tip of a sharp one; the sides still point to it.
-    """
-    bends = cv2.approxPolyDP(contour[:, None], tolerance, True)[:, 0]
-    n = len(bends)
-    if n < 3:
-        return bends.astype(float)
-    at = np.sort([int(np.flatnonzero((contour == b).all(axis=1))[0]) for b in bends])
-    loop = np.concatenate([contour, contour]).astype(float)
-    lines = []
-    for a, b in zip(at, [*at[1:], at[0] + len(contour)], strict=True):
-        cut = min(int(pen), (b - a) // 4)
-        lines.append(fit_line(loop[a + cut : b + 1 - cut]) if b - a >= 4 else (loop[a], loop[b] - loop[a]))
-    corners = contour[at].astype(float)
-    side = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
-    long = side > 2.0 * pen
-    vertices: Floats = corners.copy()
-    for k in range(n):
-        if long[k] and long[k - 1]:
-            tip = _meet(lines[k - 1], lines[k])
-            if tip is not None and np.linalg.norm(tip - corners[k]) < min(12 * pen, 0.4 * min(side[k], side[k - 1])):
-                vertices[k] = tip
-    return vertices
 
 
 def _meet(a: tuple[Floats, Floats], b: tuple[Floats, Floats]) -> Floats | None:

@@ -57,6 +57,12 @@ def split(vertices: Floats, sizes: Iterable[int]) -> Rings:
     return Rings(tuple(parts[: len(sizes)]), tuple(parts[len(sizes) :]))
 
 
+def coincide(a: Floats, b: Floats, near: float) -> bool:
+    """Whether each of the points (k, 2) and (m, 2) has one of the others within `near` pixels."""
+    gap = np.linalg.norm(a[:, None] - b[None], axis=2)
+    return bool(gap.min(axis=0).max() <= near and gap.min(axis=1).max() <= near)
+
+
 @dataclass(frozen=True)
 class Frame:
     """What connects the vertices of rings of certain sizes, m vertices to a face.

@@ -17,20 +17,20 @@ import numpy as np
 from sketch2shape import caps, separate
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, on_map, refine
-from sketch2shape.rings import Rings, plausible, split
+from sketch2shape.rings import Rings, coincide, plausible, split
 from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group, split_groups
-from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
+from sketch2shape.shortlist import PERFECT, SHORTLIST, Judged, shortlist
 from sketch2shape.simplify import simplified
 from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.verify import Evidence, Sheet, is_dashed, judge
 
 GOOD = 0.98
+"""Score of an answer that only has to hold against those of the next round."""
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
 MOST_STEPS = 24000
 """Steps of the search for cycles in one round."""
-PERFECT = 0.995
 COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
 STEADY = 0.4
@@ -179,7 +179,13 @@ def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> F
 
 @dataclass(frozen=True)
 class Attempt:
-    """The outcome of one round, before refinement: the best few hypotheses, the best first."""
+    """The outcome of one round, before refinement.
+
+    number    : of the round
+    traced    : the drawing as the round saw it
+    shortlist : the best few hypotheses, the best first
+    sheet     : what they were compared with
+    """
 
     number: int
     traced: Traced
@@ -265,8 +271,7 @@ def _alike(a: Rings, b: Rings, near: float) -> bool:
     """Whether refinement will make the same of both: the same rings to within the reach of a line."""
     if a.sizes != b.sizes:
         return False
-    gap = [np.linalg.norm(p[:, None] - q[None], axis=2) for p, q in ((a.front[0], b.front[0]), (a.back[0], b.back[0]))]
-    return all(g.min(axis=0).max() <= near and g.min(axis=1).max() <= near for g in gap)
+    return coincide(a.front[0], b.front[0], near) and coincide(a.back[0], b.back[0], near)
 
 
 def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, dashes: Floats) -> tuple[Rings, Evidence]:

@@ -15,9 +15,13 @@ from sketch2shape.rings import Rings, stack, which_plausible
 from sketch2shape.verify import Evidence, Sheet, judge_stack, most_possible
 
 SHORTLIST = 5
+"""Hypotheses of a round that are kept."""
 MOST_HYPOTHESES = 160
+"""Hypotheses of one source that are looked at."""
 PERFECT = 0.995
+"""Score that leaves nothing to be found."""
 LARGEST_BATCH = 24
+"""Hypotheses that are judged together."""
 SHALLOWEST = 2.5
 """Length of the longest connecting edge over the reach of a line: less deep, both faces would be the same ink."""
 LEAST = 0.5

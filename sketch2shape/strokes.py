@@ -108,13 +108,24 @@ def _ordered_paths(branches: NDArray[np.uint8]) -> list[Floats]:
     return paths
 
 
-def fit_line(points: Floats) -> tuple[Floats, Floats]:
-    """Total-least-squares line: (centre (2,), unit direction (2,))."""
-    centre = points.mean(axis=0)
-    q = points - centre
-    xx, yy, xy = float(q[:, 0] @ q[:, 0]), float(q[:, 1] @ q[:, 1]), float(q[:, 0] @ q[:, 1])
+def moments(points: Floats) -> Floats:
+    """(..., 6) of points (..., n, 2): count, sums of x, y, x squared, y squared and x times y."""
+    x, y = points[..., 0], points[..., 1]
+    return np.asarray(np.stack([np.ones_like(x), x, y, x * x, y * y, x * y], axis=-1).sum(axis=-2))
+
+
+def fit_lines(sums: Floats) -> tuple[Floats, Floats, Floats]:
+    """Total-least-squares lines of points with these moments (k, 6).
+
+    Returns centres (k, 2) and unit directions (k, 2), pixels, and the rms distances of the points, (k,) pixels.
+    """
+    mean = sums[:, 1:] / sums[:, :1]
+    x, y = mean[:, 0], mean[:, 1]
+    xx, yy, xy = mean[:, 2] - x * x, mean[:, 3] - y * y, mean[:, 4] - x * y
     angle = 0.5 * np.arctan2(2 * xy, xx - yy)
-    return centre, np.array([np.cos(angle), np.sin(angle)])
+    c, s = np.cos(angle), np.sin(angle)
+    across = s * s * xx + c * c * yy - 2 * s * c * xy
+    return mean[:, :2], np.stack([c, s], axis=1), np.sqrt(np.maximum(across, 0.0))
 
 
 def project(points: Floats, starts: Floats, directions: Floats) -> tuple[Floats, Floats]:
@@ -167,7 +178,7 @@ class _Lines:
     """Growing strokes.
 
     points  : (k, KEPT, 2) float, some of the pixels of each
-    moments : (k, 6) float, of all of them (see `_moments`)
+    moments : (k, 6) float, of all of them (see `moments`)
     ends    : (k, 2, 2) float
     inked   : (k,) float, pixels of length on ink
     """
@@ -190,20 +201,6 @@ class _Lines:
         return _Lines(*(np.concatenate(p) for p in pairs))
 
 
-def _moments(points: Floats) -> Floats:
-    """(..., 6): count, sums of x, y, x squared, y squared and x times y of points (..., n, 2)."""
-    x, y = points[..., 0], points[..., 1]
-    return np.asarray(np.stack([np.ones_like(x), x, y, x * x, y * y, x * y], axis=-1).sum(axis=-2))
-
-
-def _fit(moments: Floats) -> tuple[Floats, Floats]:
-    """Total-least-squares lines of points with these moments (k, 6): centres and unit directions, (k, 2) each."""
-    mean = moments[:, 1:] / moments[:, :1]
-    x, y = mean[:, 0], mean[:, 1]
-    angle = 0.5 * np.arctan2(2 * (mean[:, 4] - x * y), (mean[:, 2] - x * x) - (mean[:, 3] - y * y))
-    return mean[:, :2], np.stack([np.cos(angle), np.sin(angle)], axis=1)
-
-
 def _kept(points: Floats) -> Floats:
     """KEPT of the points (..., n, 2), evenly, the first and the last among them; repeated where there are fewer."""
     n = points.shape[-2]
@@ -213,28 +210,28 @@ def _kept(points: Floats) -> Floats:
 def _straighten(pieces: list[Floats], pen: float) -> _Lines:
     """Pieces as lines; the bent ends near junctions do not count for their directions."""
     trims = [min(int(pen), len(p) // 4) if len(p) > 4 else 0 for p in pieces]
-    middles = [_moments(p[t : len(p) - t]) for p, t in zip(pieces, trims, strict=True)]
-    centre, direction = _fit(np.array(middles))
+    middles = [moments(p[t : len(p) - t]) for p, t in zip(pieces, trims, strict=True)]
+    centre, direction, _ = fit_lines(np.array(middles))
     kept = np.array([_kept(p) for p in pieces])
     share = np.array([min(len(p), KEPT) / KEPT for p in pieces])
     along = ((kept - centre[:, None]) * direction[:, None]).sum(axis=2)
     extent = np.stack([along.min(axis=1), along.max(axis=1)], axis=1)
     ends = centre[:, None] + extent[..., None] * direction[:, None]
-    return _Lines(kept, _moments(kept) * share[:, None], ends, extent[:, 1] - extent[:, 0] + 1.0)
+    return _Lines(kept, moments(kept) * share[:, None], ends, extent[:, 1] - extent[:, 0] + 1.0)
 
 
 def _joined(a: _Lines, b: _Lines, tolerance: float, bow: float) -> tuple[_Lines, Bools]:
     """Pairs of lines as one stroke each, and which pairs do lie on one line."""
     points = np.concatenate([a.points, b.points], axis=1)
     ends = np.concatenate([a.ends, b.ends], axis=1)
-    moments = a.moments + b.moments
-    centre, direction = _fit(moments + _moments(ends))
+    sums = a.moments + b.moments
+    centre, direction, _ = fit_lines(sums + moments(ends))
     normal = np.stack([-direction[:, 1], direction[:, 0]], axis=1)
     off = np.abs(((points - centre[:, None]) * normal[:, None]).sum(axis=2)).max(axis=1)
     along = ((ends - centre[:, None]) * direction[:, None]).sum(axis=2)
     low, high = along.min(axis=1), along.max(axis=1)
     joined = centre[:, None] + np.stack([low, high], axis=1)[..., None] * direction[:, None]
-    return _Lines(_kept(points), moments, joined, a.inked + b.inked), off <= np.maximum(tolerance, bow * (high - low))
+    return _Lines(_kept(points), sums, joined, a.inked + b.inked), off <= np.maximum(tolerance, bow * (high - low))
 
 
 def _merge(lines: _Lines, tolerance: float, bow: float, bridge: float) -> _Lines:

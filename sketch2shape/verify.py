@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ints, Lines
-from sketch2shape.rings import Frame, Rings, Stack, stack
+from sketch2shape.rings import Frame, Rings, Stack, frame, stack
 from sketch2shape.strokes import project, thinned
 from sketch2shape.visibility import edge_samples, hidden_depth, hidden_samples
 
@@ -106,12 +106,12 @@ def most_possible(stacked: Stack, sheet: Sheet) -> Floats:
     The front is always seen whole, so its weakest edge limits the score; ink of which the edges touch little is not
     explained. Two connecting edges and one of the back have to be drawn.
     """
-    v, frame = stacked.vertices, stacked.frame
+    v, after = stacked.vertices, stacked.frame.after
     m = v.shape[1] // 2
     around = np.arange(m)
     # front edges, connecting edges, back edges
     start = np.concatenate([around, around, around + m])
-    end = np.concatenate([frame.after, around + m, frame.after + m])
+    end = np.concatenate([after, around + m, after + m])
     a, span = v[:, start, None], v[:, end] - v[:, start]
     share = sheet.inked(a + _FIRST * span[:, :, None]).mean(axis=2).reshape(len(v), 3, m)
     length = np.sqrt(np.einsum("...k,...k", span, span)).reshape(len(v), 3, m)
@@ -208,7 +208,7 @@ def is_dashed(rings: Rings, sheet: Sheet) -> bool:
     """Whether the hidden edges have clearly less ink to the pixel than the visible ones."""
     hidden, perhaps = hidden_samples(rings, 1.5 * sheet.reach)
     back, front = hidden.mean(axis=1) > 0.8, perhaps.mean(axis=1) < 0.1
-    v, edges = rings.vertices, stack([rings]).frame.edges
+    v, edges = rings.vertices, frame(rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     length = np.linalg.norm(span, axis=1) + 1e-9
     long = length > 6 * sheet.reach

@@ -2,6 +2,7 @@
 
 No depth is needed: the object is the front face swept along the connecting lines, so a point of a side or of the back
 face is hidden exactly if the way back along its connecting line to the front face crosses the front face's interior.
+The way is looked up at a few samples; a connecting edge, whose samples share one way, at many.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
-from sketch2shape.strokes import coverage, fit_line, thin, trace_strokes
+from sketch2shape.strokes import coverage, fit_lines, moments, thin, trace_strokes
 
 
 def traced(picture, tolerance=1.5):
@@ -69,11 +69,12 @@ def test_the_skeleton_is_thin_whole_and_knows_how_far_everything_is():
 
 def test_a_line_is_fitted_across_not_along():
     points = np.array([[10.0, 10], [20, 30.1], [30, 49.9], [40, 70]])
-    centre, direction = fit_line(points)
+    (centre,), (direction,), _ = fit_lines(moments(points)[None])
     assert centre == pytest.approx([25, 40])
     assert abs(direction @ np.array([1, 2]) / np.sqrt(5)) == pytest.approx(1, abs=1e-4)
-    upright = fit_line(np.array([[5.0, 0], [5, 9], [5, 20]]))[1]
+    _, (upright,), (spread,) = fit_lines(moments(np.array([[5.0, 0], [5, 9], [5, 20]]))[None])
     assert abs(upright[1]) == pytest.approx(1)
+    assert spread == pytest.approx(0, abs=1e-6)
 
 
 def test_coverage_is_the_part_of_a_segment_that_is_drawn():
