@@ -43,17 +43,22 @@ def test_printed_marks_are_no_ink(paper: np.ndarray) -> None:
     assert not (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).any()
 
 
+def pencilled(paper: np.ndarray, pencil: int, noise: np.ndarray) -> tuple[float, float]:
+    """Of a hexagon drawn on paper, how much is found as ink, and how much else, as parts of it."""
+    drawn = cv2.polylines(np.zeros(paper.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
+    image = np.where(drawn, pencil, paper) + noise
+    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
+    around = cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0
+    return float(mask[drawn].mean()), float((mask & ~around).sum() / drawn.sum())
+
+
 @pytest.mark.parametrize("spacing", [11, 24])
 def test_squares_nearly_as_strong_as_the_pencil_are_no_ink(spacing: int) -> None:
-    rng = np.random.default_rng(2)
     image = np.full((400, 560), 235.0)
     image[::spacing], image[:, ::spacing] = 150, 150
-    drawn = cv2.polylines(np.zeros(image.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
-    image[drawn] = 105
-    image += rng.normal(0, 2, image.shape)
-    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
-    assert mask[drawn].mean() > 0.97
-    assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.01 * drawn.sum()
+    inked, stray = pencilled(image, 105, np.random.default_rng(2).normal(0, 2, image.shape))
+    assert inked > 0.97
+    assert stray < 0.01
 
 
 def test_a_hairline_hardly_stronger_than_the_squares_is_found_whole() -> None:
@@ -108,14 +113,10 @@ def test_noise_of_a_clean_picture_is_nothing() -> None:
 
 
 def test_faint_pencil_on_noisy_grey_paper_is_found() -> None:
-    rng = np.random.default_rng(5)
     image = np.full((400, 560), 225.0)
-    drawn = cv2.polylines(np.zeros(image.shape, np.uint8), [HEXAGON], True, 1, 2) > 0
-    image[drawn] = 150
-    image += rng.normal(0, 8, image.shape)
-    mask = find_ink(Picture(np.dstack([np.clip(image, 0, 255).astype(np.uint8)] * 3))).mask
-    assert mask[drawn].mean() > 0.9
-    assert (mask & ~(cv2.dilate(drawn.astype(np.uint8), np.ones((5, 5))) > 0)).sum() < 0.02 * drawn.sum()
+    inked, stray = pencilled(image, 150, np.random.default_rng(5).normal(0, 8, image.shape))
+    assert inked > 0.9
+    assert stray < 0.02
 
 
 def test_black_edges_of_a_scan_and_window_bars_are_no_ink() -> None:
