@@ -10,8 +10,6 @@ may have strayed from a straight line.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Any
 
 import cv2
 import numpy as np
@@ -36,14 +34,14 @@ class Skeleton:
     mask      : (h, w) uint8, 1 on the skeleton
     points    : (k, 2) float, x and y of its pixels
     distance  : (h, w) float32, distance of every pixel to the skeleton, pixels
-    paths     : ordered pixels of each branch, (m, 2) float each
+    paths     : (m, 2) int32 each, x and y of the pixels of every branch in walking order
     pen_width : pixels
     """
 
     mask: NDArray[np.uint8]
     points: Floats
     distance: NDArray[np.float32]
-    paths: tuple[Floats, ...]
+    paths: tuple[NDArray[np.int32], ...]
     pen_width: float
 
 
@@ -77,34 +75,36 @@ def thin(ink: Ink) -> Skeleton:
     branches[around > 3] = 0  # junctions; whatever else has so many around is empty already
     paths = _ordered_paths(np.asarray(branches, np.uint8))
     ys, xs = np.divmod(np.flatnonzero(mask.view(np.bool_)), mask.shape[1])
+    points = np.stack([xs, ys], axis=1, dtype=np.float64, casting="unsafe")
     distance = np.asarray(cv2.distanceTransform(1 - mask, cv2.DIST_L2, cv2.DIST_MASK_5), dtype=np.float32)
-    return Skeleton(mask, np.c_[xs, ys].astype(float), distance, tuple(p - 1.0 for p in paths), ink.pen_width)
+    return Skeleton(mask, points, distance, tuple(paths), ink.pen_width)
 
 
-def _ordered_paths(branches: NDArray[np.uint8]) -> list[Floats]:
-    """Pixels of every one-pixel-wide component in walking order.
+def _ordered_paths(branches: NDArray[np.uint8]) -> list[NDArray[np.int32]]:
+    """Pixels of every one-pixel-wide component in walking order, less the margin.
 
     The outer contour of such a component runs along it and back again, so the part between its two turning points is
     the path.
     """
-    contours, _ = cv2.findContours(branches, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    contours, _ = cv2.findContours(branches, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE, offset=(-1, -1))
     if not contours:
         return []
-    points = np.concatenate(contours)[:, 0].astype(float)
+    points = np.concatenate(contours)[:, 0]
     ends = np.cumsum([len(c) for c in contours])
-    starts = ends - [len(c) for c in contours]
-    before, after = np.arange(len(points)) - 1, np.arange(len(points)) + 1
-    before[starts], after[ends - 1] = ends - 1, starts
-    turns = np.flatnonzero((points[before] == points[after]).all(axis=1))
-    first, last = np.searchsorted(turns, starts), np.searchsorted(turns, ends)
+    starts = np.append(0, ends[:-1])
+    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    before[starts], after[ends - 1] = points[ends - 1], points[starts]
+    same = before == after
+    turns = np.flatnonzero(same[:, 0] & same[:, 1])
+    first, last = np.searchsorted(turns, starts).tolist(), np.searchsorted(turns, ends).tolist()
     paths = []
-    for start, end, i, j in zip(starts.tolist(), ends.tolist(), first.tolist(), last.tolist(), strict=True):
+    for start, end, i, j in zip(starts.tolist(), ends.tolist(), first, last, strict=True):
         path = points[start:end]
         if end - start > 2 and j - i >= 2:
             path = points[turns[i] : turns[i + 1] + 1]
         elif end - start > 2 and j - i == 1:
             path = np.roll(path, start - int(turns[i]), axis=0)[: len(path) // 2 + 1]
-        paths.append(path)
+        paths.append(np.asarray(path, np.int32))
     return paths
 
 
@@ -145,39 +145,33 @@ def thinned(count: int, most: int) -> Ints:
     return index if count <= most else index[(index * 0.6180339887) % 1.0 < most / count]
 
 
-def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> list[Floats]:
-    """Nearly straight runs of skeleton pixels."""
-    pieces = []
-    for path in skeleton.paths:
-        if where is not None and not where[int(path[0, 1]), int(path[0, 0])]:
-            continue
-        if len(path) < 3:
-            pieces.append(path)
-            continue
-        bends = cv2.approxPolyDP(path.astype(np.int32)[:, None], tolerance, False)[:, 0]
-        index = _positions(path, bends)
-        pieces += [path[a : b + 1] for a, b in pairwise(index)]
-    return pieces
+def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> tuple[Floats, Ints, Ints]:
+    """Nearly straight runs of two or more skeleton pixels, the longest first.
 
-
-def _positions(path: Floats, bends: NDArray[Any]) -> list[int]:
-    """Where along the path its bends lie."""
-    found, start = [], 0
-    for bend in bends:
-        hits = np.flatnonzero((path[start:] == bend).all(axis=1))
-        if len(hits):
-            start += int(hits[0])
-            found.append(start)
-    if not found or found[-1] != len(path) - 1:
-        found.append(len(path) - 1)
-    return found
+    Returns pixels (n, 2), one path after the other, and where among them each run begins and ends (with its last).
+    """
+    paths = [p for p in skeleton.paths if len(p) > 1 and (where is None or where[p[0, 1], p[0, 0]])]
+    if not paths:
+        return np.zeros((0, 2)), np.zeros(0, np.intp), np.zeros(0, np.intp)
+    points = np.concatenate(paths)
+    place = np.empty(skeleton.mask.shape, np.intp)
+    place[points[:, 1], points[:, 0]] = np.arange(len(points))
+    bends = [cv2.approxPolyDP(p[:, None], tolerance, False)[:, 0] if len(p) > 2 else p for p in paths]
+    x, y = np.concatenate(bends).T
+    # an index can fall only where a path crosses itself
+    index = np.maximum.accumulate(place[y, x])
+    run = np.diff(index) > 0
+    run[np.cumsum([len(b) for b in bends])[:-1] - 1] = False
+    first, last = index[:-1][run], index[1:][run]
+    order = np.argsort(first - last, kind="stable")[:MOST_PIECES]
+    return points.astype(np.float64), first[order], last[order]
 
 
 @dataclass(frozen=True)
 class _Lines:
     """Growing strokes.
 
-    points  : (k, KEPT, 2) float, some of the pixels of each
+    points  : (k, 2, KEPT) float, x and y of some of the pixels of each
     moments : (k, 6) float, of all of them (see `moments`)
     ends    : (k, 2, 2) float
     inked   : (k,) float, pixels of length on ink
@@ -188,83 +182,92 @@ class _Lines:
     ends: Floats
     inked: Floats
 
-    def some(self, index: Ints) -> _Lines:
-        return _Lines(self.points[index], self.moments[index], self.ends[index], self.inked[index])
 
-    def and_also(self, more: _Lines) -> _Lines:
-        pairs = (
-            (self.points, more.points),
-            (self.moments, more.moments),
-            (self.ends, more.ends),
-            (self.inked, more.inked),
-        )
-        return _Lines(*(np.concatenate(p) for p in pairs))
-
-
-def _kept(points: Floats) -> Floats:
-    """KEPT of the points (..., n, 2), evenly, the first and the last among them; repeated where there are fewer."""
-    n = points.shape[-2]
-    return np.asarray(points[..., np.arange(KEPT) * (n - 1) // (KEPT - 1), :])
-
-
-def _straighten(pieces: list[Floats], pen: float) -> _Lines:
+def _straighten(points: Floats, first: Ints, last: Ints, pen: float) -> _Lines:
     """Pieces as lines; the bent ends near junctions do not count for their directions."""
-    trims = [min(int(pen), len(p) // 4) if len(p) > 4 else 0 for p in pieces]
-    middles = [moments(p[t : len(p) - t]) for p, t in zip(pieces, trims, strict=True)]
-    centre, direction, _ = fit_lines(np.array(middles))
-    kept = np.array([_kept(p) for p in pieces])
-    share = np.array([min(len(p), KEPT) / KEPT for p in pieces])
+    count = last - first + 1
+    trim = np.where(count > 4, np.minimum(int(pen), count // 4), 0)
+    x, y = points.T
+    sums = np.zeros((len(x) + 1, 6))
+    np.cumsum(np.stack([np.ones_like(x), x, y, x * x, y * y, x * y], axis=1), axis=0, out=sums[1:])
+    centre, direction, _ = fit_lines(sums[last + 1 - trim] - sums[first + trim])
+    kept = points[first[:, None] + np.arange(KEPT) * (count - 1)[:, None] // (KEPT - 1)]
+    share = np.minimum(count, KEPT) / KEPT
     along = ((kept - centre[:, None]) * direction[:, None]).sum(axis=2)
     extent = np.stack([along.min(axis=1), along.max(axis=1)], axis=1)
     ends = centre[:, None] + extent[..., None] * direction[:, None]
-    return _Lines(kept, moments(kept) * share[:, None], ends, extent[:, 1] - extent[:, 0] + 1.0)
-
-
-def _joined(a: _Lines, b: _Lines, tolerance: float, bow: float) -> tuple[_Lines, Bools]:
-    """Pairs of lines as one stroke each, and which pairs do lie on one line."""
-    points = np.concatenate([a.points, b.points], axis=1)
-    ends = np.concatenate([a.ends, b.ends], axis=1)
-    sums = a.moments + b.moments
-    centre, direction, _ = fit_lines(sums + moments(ends))
-    normal = np.stack([-direction[:, 1], direction[:, 0]], axis=1)
-    off = np.abs(((points - centre[:, None]) * normal[:, None]).sum(axis=2)).max(axis=1)
-    along = ((ends - centre[:, None]) * direction[:, None]).sum(axis=2)
-    low, high = along.min(axis=1), along.max(axis=1)
-    joined = centre[:, None] + np.stack([low, high], axis=1)[..., None] * direction[:, None]
-    return _Lines(_kept(points), sums, joined, a.inked + b.inked), off <= np.maximum(tolerance, bow * (high - low))
+    inked = extent[:, 1] - extent[:, 0] + 1.0
+    return _Lines(kept.swapaxes(1, 2).copy(), moments(kept) * share[:, None], ends, inked)
 
 
 def _merge(lines: _Lines, tolerance: float, bow: float, bridge: float) -> _Lines:
     """Merge pieces of one line, the closest ends first, until nothing fits any more."""
+    new = len(lines.inked)
     while True:
-        i, j = _close_pairs(lines, tolerance, bridge)
-        merged, fits = _joined(lines.some(i), lines.some(j), tolerance, bow)
-        free = np.ones(len(lines.inked), bool)
+        i, j = _close_pairs(lines, new, tolerance, bridge)
+        ends, fits = _joined(lines, i, j, tolerance, bow)
+        free = [True] * len(lines.inked)
         chosen = []
-        for k in np.flatnonzero(fits).tolist():
-            if free[i[k]] and free[j[k]]:
-                free[i[k]] = free[j[k]] = False
+        pairs = np.flatnonzero(fits)
+        for k, a, b in zip(pairs.tolist(), i[pairs].tolist(), j[pairs].tolist(), strict=True):
+            if free[a] and free[b]:
+                free[a] = free[b] = False
                 chosen.append(k)
         if not chosen:
             return lines
-        lines = lines.some(np.flatnonzero(free)).and_also(merged.some(np.array(chosen)))
+        new = len(chosen)
+        lines = _with_joined(lines, np.flatnonzero(free), i[chosen], j[chosen], ends[chosen])
 
 
-def _close_pairs(lines: _Lines, tolerance: float, bridge: float) -> tuple[Ints, Ints]:
-    """Pairs of lines whose ends nearly touch and whose directions agree, the closest first."""
-    ends, k = lines.ends, len(lines.ends)
-    span = ends[:, 1] - ends[:, 0]
+def _close_pairs(lines: _Lines, new: int, tolerance: float, bridge: float) -> tuple[Ints, Ints]:
+    """Pairs of lines whose ends nearly touch and whose directions agree, the closest first; one is among the last `new`.
+
+    Others have been tried already.
+    """
+    old = len(lines.ends) - new
+    x, y = lines.ends.transpose(2, 1, 0)  # (2, k) each: the starts, the ends
+    gap = np.full((old + new, new), np.inf)
+    for m in range(2):
+        for n in range(2):
+            dx, dy = x[m][:, None] - x[n, old:], y[m][:, None] - y[n, old:]
+            gap = np.minimum(gap, dx * dx + dy * dy)
+    i, j = np.nonzero(gap < (3.5 * bridge) ** 2)
+    gap, j = np.sqrt(gap[i, j]), j + old
+    span = lines.ends[:, 1] - lines.ends[:, 0]
     lengths = np.hypot(span[:, 0], span[:, 1])
-    x, y = ends.reshape(-1, 2).T
-    gap = np.hypot(x[:, None] - x, y[:, None] - y).reshape(k, 2, k, 2).min(axis=(1, 3))
-    shorter = np.minimum(lengths[:, None], lengths[None])
+    shorter = np.minimum(lengths[i], lengths[j])
     limit = np.maximum(bridge, np.minimum(1.6 * shorter, 3.5 * bridge))
-    u = span / (lengths[:, None] + 1e-9)
-    sine = np.abs(u[:, None, 0] * u[None, :, 1] - u[:, None, 1] * u[None, :, 0])
-    close = (gap < limit) & (sine < 0.05 + 2.5 * tolerance / (shorter + 1e-9))
-    i, j = np.nonzero(np.triu(close, 1))
-    order = np.argsort(gap[i, j], kind="stable")
+    ux, uy = (span / (lengths[:, None] + 1e-9)).T
+    sine = np.abs(ux[i] * uy[j] - uy[i] * ux[j])
+    close = np.flatnonzero((i < j) & (gap < limit) & (sine < 0.05 + 2.5 * tolerance / (shorter + 1e-9)))
+    order = close[np.argsort(gap[close], kind="stable")]
     return i[order], j[order]
+
+
+def _joined(lines: _Lines, i: Ints, j: Ints, tolerance: float, bow: float) -> tuple[Floats, Bools]:
+    """Ends (k, 2, 2) of the lines that k pairs of lines would make, and which pairs do lie on one line."""
+    ends = np.concatenate([lines.ends[i], lines.ends[j]], axis=1)
+    centre, direction, _ = fit_lines(lines.moments[i] + lines.moments[j] + moments(ends))
+    (cx, cy), (dx, dy) = centre.T[..., None], direction.T[..., None]
+    off = np.zeros(len(i))
+    for points in (lines.points[i], lines.points[j]):
+        off = np.maximum(off, np.abs((points[:, 1] - cy) * dx - (points[:, 0] - cx) * dy).max(axis=1))
+    along = (ends[..., 0] - cx) * dx + (ends[..., 1] - cy) * dy
+    extent = np.stack([along.min(axis=1), along.max(axis=1)], axis=1)
+    joined = centre[:, None] + extent[..., None] * direction[:, None]
+    return joined, off <= np.maximum(tolerance, bow * (extent[:, 1] - extent[:, 0]))
+
+
+def _with_joined(lines: _Lines, rest: Ints, i: Ints, j: Ints, ends: Floats) -> _Lines:
+    """The rest of the lines, and then pairs of them as one each, with these ends (k, 2, 2)."""
+    both = np.concatenate([lines.points[i], lines.points[j]], axis=2)
+    kept = both[..., np.arange(KEPT) * (2 * KEPT - 1) // (KEPT - 1)]
+    return _Lines(
+        np.concatenate([lines.points[rest], kept]),
+        np.concatenate([lines.moments[rest], lines.moments[i] + lines.moments[j]]),
+        np.concatenate([lines.ends[rest], ends]),
+        np.concatenate([lines.inked[rest], lines.inked[i] + lines.inked[j]]),
+    )
 
 
 def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = None) -> Strokes:
@@ -274,13 +277,12 @@ def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = No
     where     : (h, w) bool, ink to look at; all of it if None
     """
     pen = skeleton.pen_width
-    pieces = [p for p in _pieces(skeleton, tolerance, where) if len(p) >= 2]
-    pieces = sorted(pieces, key=lambda p: -len(p))[:MOST_PIECES]
-    if not pieces:
+    points, first, last = _pieces(skeleton, tolerance, where)
+    if not len(first):
         return Strokes(np.zeros((0, 2, 2)), np.zeros(0), tolerance)
     # a ruler makes no bows, however long the line; a hand does
     bow = RULED_BOW if tolerance <= RULED else HAND_BOW
-    lines = _merge(_straighten(pieces, pen), tolerance, bow, 2.5 * pen + 2 * tolerance + 2)
+    lines = _merge(_straighten(points, first, last, pen), tolerance, bow, 2.5 * pen + 2 * tolerance + 2)
     lengths = np.linalg.norm(lines.ends[:, 1] - lines.ends[:, 0], axis=1)
     order = np.argsort(-lengths, kind="stable")
     return Strokes(lines.ends[order], np.minimum(lines.inked / (lengths + 1.0), 1.0)[order], tolerance)
