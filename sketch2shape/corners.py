@@ -7,6 +7,7 @@ strokes run straight on, is a crossing and no vertex; a T is one end on another 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 
@@ -40,14 +41,16 @@ def join_ends(strokes: Strokes, pen: float) -> Corners:
         none = np.zeros(0, np.intp)
         return Corners(np.zeros((0, 2)), none, np.zeros(0, bool), np.zeros((0, 2), np.intp))
     span = strokes.ends[:, 1] - strokes.ends[:, 0]
-    lengths = np.linalg.norm(span, axis=1) + 1e-9
+    lengths = np.hypot(span[:, 0], span[:, 1]) + 1e-9
     direction = np.repeat(span / lengths[:, None], 2, axis=0)
-    cluster = _cluster(ends, direction, np.repeat(lengths, 2), strokes.tolerance, pen)
-    names, label = np.unique(cluster, return_inverse=True)
-    points = np.array([_meeting_point(ends[label == c], direction[label == c]) for c in range(len(names))])
-    degree = np.bincount(label, minlength=len(names))
+    bunches = _bunches(ends, direction, np.repeat(lengths, 2), strokes.tolerance, pen)
+    label = np.zeros(len(ends), np.intp)
+    for k, bunch in enumerate(bunches):
+        label[bunch.members] = k
+    points = np.array([bunch.meeting_point for bunch in bunches])
+    degree = np.array([len(bunch.members) for bunch in bunches], np.intp)
     on = _on_interior(points, strokes, strokes.tolerance + pen)
-    return Corners(points, degree.astype(np.intp), on, label.reshape(-1, 2).astype(np.intp))
+    return Corners(points, degree, on, label.reshape(-1, 2))
 
 
 def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
@@ -67,72 +70,112 @@ def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
     inner_s, inner_t = np.minimum(s, 1 - s) * length[i], np.minimum(t, 1 - t) * length[j]
     ok = (inner_s > 2 * reach) & (inner_t > 2 * reach)
     points = a[i[ok]] + s[ok, None] * span[i[ok]]
-    kept: list[Floats] = []
-    for point in points:
-        if kept and np.linalg.norm(np.array(kept) - point, axis=1).min() < 2 * reach:
-            continue
-        q = point - a
-        along = (q * span).sum(axis=1) / (length + 1e-9)
-        across = np.abs(q[:, 0] * span[:, 1] - q[:, 1] * span[:, 0]) / (length + 1e-9)
-        if ((across <= reach) & (along > 2 * reach) & (along < length - 2 * reach)).sum() >= least:
-            kept.append(point)
+    kept: list[tuple[float, float]] = []
+    for x, y in points[_strokes_across(points, strokes, reach, 2 * reach).sum(axis=1) >= least].tolist():
+        if all(hypot(x - u, y - v) >= 2 * reach for u, v in kept):
+            kept.append((x, y))
     return np.array(kept).reshape(-1, 2)
 
 
-def _meeting_point(ends: Floats, direction: Floats) -> Floats:
-    """Least-squares intersection of the lines through the ends, held to the ends where they are nearly parallel."""
-    k = len(ends)
-    x, y = -direction[:, 1], direction[:, 0]
-    c = x * ends[:, 0] + y * ends[:, 1]
-    xx, yy, xy, xc, yc = float(x @ x), float(y @ y), float(x @ y), float(x @ c), float(y @ c)
-    if xx * yy - xy * xy <= 0.02 * k * k / 4:
-        # a pull towards the ends tames parallel lines
-        weight = 0.02
-        px, py = ends.sum(axis=0).tolist()
-        xx, yy, xc, yc = xx + weight * k, yy + weight * k, xc + weight * px, yc + weight * py
-    det = xx * yy - xy * xy
-    return np.array([(yy * xc - xy * yc) / det, (xx * yc - xy * xc) / det])
+@dataclass
+class _Bunch:
+    """Ends that meet, and the sums that give the point: over the lines a x + b y = c through each, (a, b) of length 1.
+
+    members : the ends; two to a stroke, one after the other
+    """
+
+    members: list[int]
+    aa: float
+    bb: float
+    ab: float
+    ac: float
+    bc: float
+    x: float
+    y: float
+
+    def with_(self, other: _Bunch) -> _Bunch:
+        return _Bunch(
+            self.members + other.members,
+            self.aa + other.aa,
+            self.bb + other.bb,
+            self.ab + other.ab,
+            self.ac + other.ac,
+            self.bc + other.bc,
+            self.x + other.x,
+            self.y + other.y,
+        )
+
+    @property
+    def meeting_point(self) -> tuple[float, float]:
+        """Least-squares intersection of the lines, held to the ends where they are nearly parallel."""
+        k, aa, bb, ab, ac, bc = len(self.members), self.aa, self.bb, self.ab, self.ac, self.bc
+        if aa * bb - ab * ab <= 0.02 * k * k / 4:
+            # a pull towards the ends tames parallel lines
+            weight = 0.02
+            aa, bb, ac, bc = aa + weight * k, bb + weight * k, ac + weight * self.x, bc + weight * self.y
+        det = aa * bb - ab * ab
+        return (bb * ac - ab * bc) / det, (aa * bc - ab * ac) / det
 
 
-def _cluster(ends: Floats, direction: Floats, lengths: Floats, tolerance: float, pen: float) -> Ints:
-    """Label of the corner each end belongs to: the closest ends join first, as long as their lines still meet there."""
-    gap = np.linalg.norm(ends[:, None] - ends[None], axis=2)
-    sine = np.abs(direction[:, None, 0] * direction[None, :, 1] - direction[:, None, 1] * direction[None, :, 0])
+def _bunches(ends: Floats, direction: Floats, lengths: Floats, tolerance: float, pen: float) -> list[_Bunch]:
+    """The ends of each corner: the closest join first, as long as their lines still meet there."""
     base = 4 + 1.2 * pen + 2 * tolerance
-    reach = base + 0.7 * pen / np.maximum(sine, 0.1)
-    reach = np.minimum(reach, 0.5 * np.minimum(lengths[:, None], lengths[None]) + base)
-    other = np.arange(len(ends)) // 2
-    i, j = np.nonzero(np.triu((gap <= reach) & (other[:, None] != other[None]), 1))
-    order = np.argsort(gap[i, j], kind="stable")
-    label = list(range(len(ends)))
-    members = {k: [k] for k in label}
-    for p, q, far in zip(i[order].tolist(), j[order].tolist(), reach[i, j][order].tolist(), strict=True):
-        a, b = label[p], label[q]
-        if a == b:
+    i, j, reach = _close_ends(ends, direction, lengths, base, pen)
+    (x, y), (u, v) = ends.T, direction.T
+    c = u * y - v * x
+    sums = np.stack([v * v, u * u, -u * v, -v * c, u * c, x, y], axis=1).tolist()
+    rows = np.concatenate([ends, direction], axis=1).tolist()
+    bunch_of = [_Bunch([k], *row) for k, row in enumerate(sums)]
+    for p, q, far in zip(i.tolist(), j.tolist(), reach.tolist(), strict=True):
+        a, b = bunch_of[p], bunch_of[q]
+        if a is b or not {k // 2 for k in a.members}.isdisjoint(k // 2 for k in b.members):
             continue
-        both = members[a] + members[b]
-        if len({k // 2 for k in both}) == len(both) and _meet(ends[both], direction[both], far, base):
-            for k in members.pop(b):
-                label[k] = a
-            members[a] = both
-    return np.array(label)
+        both = a.with_(b)
+        if _is_met(both.meeting_point, [rows[k] for k in both.members], far, 0.5 * base):
+            for k in both.members:
+                bunch_of[k] = both
+    return sorted({id(bunch): bunch for bunch in bunch_of}.values(), key=lambda bunch: bunch.members[0])
 
 
-def _meet(ends: Floats, direction: Floats, reach: float, slack: float) -> bool:
-    """Whether these strokes meet in one point near all their ends."""
-    point = _meeting_point(ends, direction)
-    offset = point - ends
-    off_line = np.abs(offset[:, 0] * direction[:, 1] - offset[:, 1] * direction[:, 0])
-    return bool(off_line.max() <= 0.5 * slack and np.linalg.norm(offset, axis=1).max() <= reach)
+def _close_ends(ends: Floats, direction: Floats, lengths: Floats, base: float, pen: float) -> tuple[Ints, Ints, Floats]:
+    """Pairs of ends of different strokes, the closest first, and how far each may lie from the point where they meet.
+
+    Lines that meet at a small angle may do so further away.
+    """
+    (x, y), (u, v) = ends.T, direction.T
+    dx, dy = x[:, None] - x, y[:, None] - y
+    squares = dx * dx + dy * dy
+    i, j = np.nonzero(squares <= (base + 7 * pen) ** 2)
+    apart = i // 2 < j // 2
+    i, j = i[apart], j[apart]
+    gap = np.sqrt(squares[i, j])
+    reach = base + 0.7 * pen / np.maximum(np.abs(u[i] * v[j] - v[i] * u[j]), 0.1)
+    reach = np.minimum(reach, 0.5 * np.minimum(lengths[i], lengths[j]) + base)
+    close = np.flatnonzero(gap <= reach)
+    order = close[np.argsort(gap[close], kind="stable")]
+    return i[order], j[order], reach[order]
+
+
+def _is_met(point: tuple[float, float], ends: list[list[float]], reach: float, slack: float) -> bool:
+    """Whether strokes, given by x, y and direction at their ends, meet in a point near all of these."""
+    for x, y, u, v in ends:
+        dx, dy = point[0] - x, point[1] - y
+        if abs(dx * v - dy * u) > slack or hypot(dx, dy) > reach:
+            return False
+    return True
 
 
 def _on_interior(points: Floats, strokes: Strokes, reach: float) -> Bools:
     """Whether each corner lies on the interior of a stroke."""
-    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
-    length = np.linalg.norm(span, axis=1) + 1e-9
-    u = span / length[:, None]
-    q = points[:, None] - a[None]
-    along = (q * u).sum(axis=2)
-    across = np.abs(q[..., 0] * u[:, 1] - q[..., 1] * u[:, 0])
-    inside = (along > 2.5 * reach) & (along < length - 2.5 * reach) & (across <= reach)
-    return np.asarray(inside.any(axis=1))
+    return np.asarray(_strokes_across(points, strokes, reach, 2.5 * reach).any(axis=1))
+
+
+def _strokes_across(points: Floats, strokes: Strokes, reach: float, inside: float) -> Bools:
+    """(k, m) which of m strokes each point lies on, at most `reach` off and more than `inside` away from their ends."""
+    (x, y), (dx, dy) = strokes.ends[:, 0].T, (strokes.ends[:, 1] - strokes.ends[:, 0]).T
+    length = strokes.lengths + 1e-9
+    u, v = dx / length, dy / length
+    qx, qy = points[:, :1] - x, points[:, 1:] - y
+    along = qx * u + qy * v
+    across = np.abs(qx * v - qy * u)
+    return np.asarray((along > inside) & (along < length - inside) & (across <= reach))

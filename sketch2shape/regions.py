@@ -7,14 +7,19 @@ polygon comes in a few degrees of simplicity: how many vertices it has, only the
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats
+from sketch2shape.model import Bools, Floats, Gray, as_gray
+
+BORDER = 2
+"""Empty pixels that are added around the ink, so that it is enclosed itself."""
+MOST_LABELS = 250
+"""Regions that are looked at, the largest: each has a level of a byte for its name."""
 
 
 @dataclass(frozen=True)
@@ -34,41 +39,48 @@ def enclosed_regions(mask: Bools, pen: float, tolerance: float, most: int = 40) 
 
     mask : (h, w) bool, the ink
     """
-    grown = cv2.copyMakeBorder(mask.astype(np.uint8), 2, 2, 2, 2, cv2.BORDER_CONSTANT)
+    grown = as_gray(cv2.copyMakeBorder(mask.view(np.uint8), BORDER, BORDER, BORDER, BORDER, cv2.BORDER_CONSTANT))
     close = max(1, int(tolerance))
     if close > 1:
-        grown = cv2.dilate(grown, _disc(close - 1))
-    _, label, stats, _ = cv2.connectedComponentsWithStats(1 - grown, connectivity=4)
-    diagonal = np.hypot(*mask.shape)
-    least = max(3 * pen * pen, 1e-4 * diagonal**2)
-    outside = label[0, 0]
-    order = [k for k in np.argsort(-stats[:, cv2.CC_STAT_AREA]) if k not in (0, outside)]
-    regions = []
-    for k in [k for k in order if stats[k, cv2.CC_STAT_AREA] >= least][:most]:
-        region = _region(label, stats[k], int(k), pen + 2 * (close - 1), tolerance)
-        if region is not None:
-            regions.append(region)
-    return regions
+        grown = as_gray(cv2.dilate(grown, _disc(close - 1)))
+    least = max(3 * pen * pen, 1e-4 * float(mask.shape[0] ** 2 + mask.shape[1] ** 2))
+    label = grown.copy()
+    found = []
+    for k, seed in enumerate(_seeds(grown, least), start=2):
+        area, _, _, box = cv2.floodFill(label, None, seed, k, flags=4)
+        found.append((area, box, k))
+    found = sorted((f for f in found if f[0] >= least), key=lambda f: -f[0])[:most]
+    regions = (_region(label, box, k, pen + 2 * (close - 1), tolerance) for _, box, k in found)
+    return [region for region in regions if region is not None]
+
+
+def _seeds(ink: Gray, least: float) -> list[tuple[int, int]]:
+    """x and y of the first pixel of every area of some size that the ink encloses, row by row."""
+    contours, tree = cv2.findContours(ink, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    if not contours:
+        return []
+    holes = [(cv2.contourArea(c), c) for c, above in zip(contours, tree[0, :, 3].tolist(), strict=True) if above >= 0]
+    large = sorted((h for h in holes if h[0] >= least), key=lambda h: -h[0])[:MOST_LABELS]
+    # the border of a hole is followed from the ink on the left of its first pixel
+    return sorted(((int(c[0, 0, 0]) + 1, int(c[0, 0, 1])) for _, c in large), key=lambda seed: seed[::-1])
 
 
 def _disc(radius: int) -> NDArray[np.uint8]:
     return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * radius + 1, 2 * radius + 1)), np.uint8)
 
 
-def _region(label: NDArray[Any], stat: NDArray[Any], k: int, pen: float, tolerance: float) -> Region | None:
+def _region(label: Gray, box: Sequence[int], k: int, pen: float, tolerance: float) -> Region | None:
     """One region's polygons, their borders moved to the middle of the strokes, thin intrusions closed."""
-    margin = int(3 * pen) + 4
-    x, y, w, h = (int(v) for v in stat[:4])
-    x0, y0 = max(x - margin, 0), max(y - margin, 0)
-    part = (label[y0 : y + h + margin, x0 : x + w + margin] == k).astype(np.uint8)
-    part = cv2.copyMakeBorder(part, margin, margin, margin, margin, cv2.BORDER_CONSTANT)
     out, back = max(1, round(1.5 * pen)), max(0, round(1.0 * pen))
-    part = cv2.dilate(part, _disc(out))
+    margin = out + 1
+    x, y, w, h = box
+    part = np.zeros((h + 2 * margin, w + 2 * margin), np.uint8)
+    np.equal(label[y : y + h, x : x + w], k, out=part[margin:-margin, margin:-margin].view(np.bool_))
+    part = as_gray(cv2.dilate(part, _disc(out)))
     if back:
-        part = cv2.erode(part, _disc(back))
+        part = as_gray(cv2.erode(part, _disc(back)))
     contours, tree = cv2.findContours(part, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
-    # two pixels of border were added before the regions were labelled
-    shift = np.array([x0 - margin - 2.0, y0 - margin - 2.0])
+    shift = np.array([x - margin - BORDER, y - margin - BORDER], float)
     areas = [cv2.contourArea(c) for c in contours]
     outer = max((i for i in range(len(contours)) if tree[0, i, 3] < 0), key=lambda i: areas[i])
     inner = [i for i in range(len(contours)) if tree[0, i, 3] == outer and areas[i] > 0.004 * areas[outer]]

@@ -220,9 +220,9 @@ def _merge(lines: _Lines, tolerance: float, bow: float, bridge: float) -> _Lines
 
 
 def _close_pairs(lines: _Lines, new: int, tolerance: float, bridge: float) -> tuple[Ints, Ints]:
-    """Pairs of lines whose ends nearly touch and whose directions agree, the closest first; one is among the last `new`.
+    """Pairs of lines whose ends nearly touch and whose directions agree, the closest first.
 
-    Others have been tried already.
+    One of each pair is among the last `new` lines; others have been tried already.
     """
     old = len(lines.ends) - new
     x, y = lines.ends.transpose(2, 1, 0)  # (2, k) each: the starts, the ends
