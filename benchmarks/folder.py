@@ -40,8 +40,8 @@ def copies(files: list[Path], folder: Path, count: int) -> Path:
 def folder(scratch: Path, quick: bool) -> Report:
     """Workers, isolation and memory."""
     files = subjects.small_drawings(scratch, 24)
-    rounds = 5 if quick else 20
-    one, two, plain = _seconds_a_file(files, scratch, rounds, 1 if quick else 3)
+    rounds = 4 if quick else 20
+    one, two, plain = _seconds_a_file(files, scratch, rounds, 3)
     large = subjects.of_pixels(scratch, [20.0])[20.0]
     count = len(files) * (10 if quick else 209)
     rows = [

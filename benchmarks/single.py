@@ -43,6 +43,14 @@ def ours(path: Path) -> str:
         return type(error).__name__
 
 
+def vertices(path: Path) -> str:
+    """Vertices of each face found, or why none."""
+    try:
+        return " and ".join(str(len(found.f1)) for found in reconstruct(path).objects)
+    except Sketch2ShapeError as error:
+        return type(error).__name__
+
+
 def warm(scratch: Path, quick: bool) -> Report:
     """Median and 95th percentile over the floor; a photo; where the time goes."""
     files = subjects.small_drawings(scratch, 30 if quick else 108)
@@ -88,12 +96,12 @@ def growth(scratch: Path, quick: bool) -> Report:
         for number, path in files.items():
             y.append(in_turn({"ours": lambda p=path: ours(p)}, 1 if quick else 3)["ours"])
             x.append(float(number))
-            said.append(ours(path))
+            said.append(vertices(path))
         relative = [v / y[0] for v in y]
         rows.append([label, f"{x[0]:g} to {x[-1]:g}", f"{exponent(x, y):.2f}", f"{goal:g}", ", ".join(said)])
         plots.append(Plot(label.split()[0], label, f"time over that of {x[0]:g}", {"sketch2shape": (x, relative)}))
-    words = "Slope of the straight line through log time against log size; what each picture gave."
-    return Report([Table("Growth", words, ["against", "range", "exponent", "goal", "answers"], rows)], plots)
+    words = "Slope of the straight line through log time against log size; the vertices a face of what was found."
+    return Report([Table("Growth", words, ["against", "range", "exponent", "goal", "vertices found"], rows)], plots)
 
 
 def hard(scratch: Path, _quick: bool) -> Report:

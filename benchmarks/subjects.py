@@ -18,6 +18,8 @@ from sketch2shape.synthetic.pens import Pen
 ROOT = Path(__file__).resolve().parent.parent
 BENCH = ROOT.parent / "shared" / "bench" / "drawings"
 SMALL = ("clean_wire_oblique", "clean_wire_axono", "clean_dashed_oblique", "clean_removed_axono", "clean_wire_persp")
+THIN = np.array([0.036, -0.056])
+"""Depth of a thin plate, as a part of the sheet's shorter side."""
 
 
 def small_drawings(scratch: Path, most: int) -> list[Path]:
@@ -48,21 +50,36 @@ def wire(ring: Floats, shift: Floats, size: tuple[int, int], pen: float) -> NDAr
     return canvas
 
 
-def gear(n: int) -> Floats:
-    """(n, 2) ring of n vertices that alternate between two radii where n allows it."""
-    t = 2 * np.pi * np.arange(n) / n + 0.3
-    radius = np.where(np.arange(n) % 2, 0.3, 0.36) if n % 2 == 0 and n > 6 else 0.34
-    ring: Floats = np.c_[np.cos(t), np.sin(t)] * np.reshape(radius, (-1, 1))
-    return ring
+def bracket(n: int) -> Floats:
+    """(n, 2) ring of n vertices: a triangle, a plate with two corners cut off, or a C with teeth on its long sides.
+
+    All edges run at a clear angle to `THIN`, the depth of these drawings, so that no two lie on each other.
+    """
+    if n == 3:
+        return np.array([[-0.55, 0.35], [0.5, 0.3], [0.4, -0.3]])
+    if n == 6:
+        return np.array([[-0.6, -0.4], [0.4, -0.4], [0.55, -0.1], [0.55, 0.4], [-0.35, 0.4], [-0.6, 0.1]])
+    w, h, arm = 0.62, 0.43, 0.27
+    corners = np.array([[-w, -h], [w, -h], [w, arm - h], [arm - w, arm - h]])
+    corners = np.vstack([corners, corners[::-1] * [1, -1]])
+    ring = []
+    for side, (start, end) in enumerate(zip(corners, np.roll(corners, -1, axis=0), strict=True)):
+        teeth = 0 if side % 2 else (n - 8) * (side // 2 + 1) // 4 - (n - 8) * (side // 2) // 4
+        k = np.arange(teeth + 1)
+        tall = min(0.29 * abs(end[0] - start[0]) / (teeth + 1), 0.03) * (0.85 + 0.3 * (0.618 * k % 1))
+        points = start + (end - start) * k[:, None] / (teeth + 1)
+        points[1:, 1] += (tall * (-1) ** k)[1:]
+        ring.append(points)
+    return np.vstack(ring)
 
 
 def of_vertices(folder: Path, counts: Sequence[int]) -> dict[int, Path]:
-    """Wireframes with n vertices a face, all on sheets of 2400 x 1800."""
+    """Wireframes with n vertices a face, all on sheets of 2400 x 1800 and so thin that few edges cross."""
     folder.mkdir(parents=True, exist_ok=True)
     out = {}
     for n in counts:
         out[n] = folder / f"vertices_{n}.png"
-        cv2.imwrite(str(out[n]), wire(gear(n), np.array([0.23, -0.11]), (2400, 1800), 2))
+        cv2.imwrite(str(out[n]), wire(bracket(n), THIN, (2400, 1800), 3))
     return out
 
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from sketch2shape import search
 from sketch2shape.caps import caps
 from sketch2shape.connect.points import as_points
+from sketch2shape.corners import join_ends
 from sketch2shape.lift import choose_front
 from sketch2shape.model import Floats, TwoFaceObject
 from sketch2shape.placing import as_object, to_working
@@ -84,7 +85,7 @@ def _hypotheses(group: Group, skeleton: Skeleton, tolerant: Round, corners: Floa
     """From both separators: where all edges are drawn, and where the back is dashed or missing."""
     pen = group.ink.pen_width
     strokes = trace_skeleton(skeleton, tolerant.trace, group.solid)
-    points = vertex_candidates(strokes, tolerant, pen) if corners is None else corners
+    points = vertex_candidates(strokes, join_ends(strokes, pen), tolerant, pen) if corners is None else corners
     graph = corner_graph(skeleton, points, tolerant.reach)
     regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
     both: Iterable[Iterator[Rings]] = (search.wire_hypotheses(graph), caps(graph, regions, pen))

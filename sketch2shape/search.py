@@ -18,7 +18,16 @@ from sketch2shape import caps, separate
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, on_map, refine
 from sketch2shape.rings import Rings, coincide, plausible, split
-from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
+from sketch2shape.rounds import (
+    CLOSE,
+    Round,
+    Traced,
+    corner_graph,
+    is_wireframe,
+    rounds_for,
+    sheet_for,
+    vertex_candidates,
+)
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.shortlist import PERFECT, SHORTLIST, Judged, shortlist
 from sketch2shape.simplify import simplified
@@ -154,8 +163,13 @@ def _is_sound(evidence: Evidence) -> bool:
 
 
 def _is_scribble(attempt: Attempt) -> bool:
-    """Whether there are more strokes than any drawing has, and nothing explains them even roughly."""
-    return attempt.score < 0.5 and len(attempt.traced.strokes.ends) > DENSE
+    """Whether there are more strokes than any drawing has, and nothing explains them even roughly.
+
+    A wireframe may have as many: it gets another round.
+    """
+    if attempt.score >= 0.5 or len(attempt.traced.strokes.ends) <= DENSE:
+        return False
+    return attempt.number > 0 or not is_wireframe(attempt.traced.corners)
 
 
 def _is_settled(best: Found | None, attempt: Attempt, before: list[Attempt]) -> bool:
@@ -235,7 +249,7 @@ def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
 
 def _attempt(traced: Traced, tolerant: Round, number: int) -> Attempt:
     skeleton, pen = traced.skeleton, traced.skeleton.pen_width
-    graph = corner_graph(skeleton, vertex_candidates(traced.strokes, tolerant, pen), tolerant.reach)
+    graph = corner_graph(skeleton, vertex_candidates(traced.strokes, traced.corners, tolerant, pen), tolerant.reach)
     sheet = sheet_for(traced.group, skeleton, tolerant.reach)
     # within the width of a ruled line there is no second answer to a wireframe
     enough = 1 if tolerant.reach <= RULED else SHORTLIST

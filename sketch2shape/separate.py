@@ -24,6 +24,8 @@ LIKELY_MAPS = 400
 """Maps looked at closely, those that carry the most rungs."""
 MOST_RUNGS = 800
 """A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
+RUNGS_OF_A_CORNER = 5
+"""Where there are very many corners, so many rungs to a corner are allowed: a vertex of a wireframe has three."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +59,7 @@ class Ladder:
 def ladders(graph: CornerGraph, most: int = 12) -> Iterator[Ladder]:
     """Candidate ladders: of translations first, then of similarities, then of homologies; each the richest first."""
     rungs = np.argwhere(graph.inked)
-    if not 6 <= len(rungs) <= MOST_RUNGS:
+    if not 6 <= len(rungs) <= max(MOST_RUNGS, RUNGS_OF_A_CORNER * len(graph.points)):
         return
     links = _links(graph, rungs)
     seen: set[bytes] = set()
@@ -284,12 +286,14 @@ def cycles(ladder: Ladder, steps: Iterator[int]) -> Iterator[Ints]:
     near = [[int(k) for k in np.flatnonzero(row)] for row in ladder.links]
     taken = [(1 << int(a), 1 << int(b)) for a, b in ladder.rungs]
     for start in order.tolist():
+        # each cycle is found one way round, the one that does not begin at the last neighbour
+        ahead = [k for k in near[start] if rank[k] > rank[start]]
         stack = [(start, (start,), *taken[start])]
         while stack:
             node, path, front, back = stack.pop()
             if next(steps, None) is None:
                 return
-            for after in near[node]:
+            for after in ahead[:-1] if node == start else near[node]:
                 if after == start and len(path) >= 3 and path[1] < path[-1]:
                     yield np.array(path)
                     continue

@@ -8,6 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
+from sketch2shape.reconstruct import reconstruct
+
 ROOT = Path(__file__).parent.parent
 
 
@@ -39,10 +41,27 @@ def test_growth_pictures_have_the_size_and_the_corners_they_claim(tmp_path):
     for megapixels, path in subjects.of_pixels(tmp_path, (0.1, 1.0)).items():
         h, w = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE).shape
         assert h * w == pytest.approx(megapixels * 1e6, rel=0.02)
-    for n in (3, 12, 25):
-        ring = subjects.gear(n)
+    for n in (3, 6, 12, 25, 200):
+        ring = subjects.bracket(n)
+        assert ring.shape == (n, 2)
         a, b = ring - np.roll(ring, 1, 0), np.roll(ring, -1, 0) - ring
-        assert np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).min() > 1e-4
+        turns = cross(a, b) / (np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1))
+        assert np.abs(turns).min() > 0.08
+        # no edge along the depth, and none shorter than 12 pixels of 1100
+        along = cross(a, subjects.THIN) / (np.linalg.norm(a, axis=1) * np.linalg.norm(subjects.THIN))
+        assert np.abs(along).min() > np.sin(np.radians(20))
+        assert np.linalg.norm(a, axis=1).min() * 825 > 12
+
+
+def cross(a, b):
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
+@pytest.mark.parametrize("n", [24, 50, 200])
+def test_a_drawing_with_very_many_vertices_is_found(n, tmp_path):
+    (path,) = module("subjects").of_vertices(tmp_path, [n]).values()
+    (found,) = reconstruct(path).objects
+    assert len(found.f1) == n
 
 
 def test_the_page_shows_each_table_and_plot(tmp_path):

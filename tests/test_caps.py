@@ -5,15 +5,22 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
 
 from sketch2shape.caps import caps
+from sketch2shape.corners import join_ends
 from sketch2shape.regions import Region, enclosed_regions
 from sketch2shape.rounds import Round, corner_graph, vertex_candidates
 from sketch2shape.strokes import thin, trace_strokes
 
 
+def graph_of(ink):
+    skeleton = thin(ink)
+    strokes = trace_strokes(skeleton, 1.5)
+    points = vertex_candidates(strokes, join_ends(strokes, ink.pen_width), Round(1.5, 2.0), ink.pen_width)
+    return corner_graph(skeleton, points, 2.0)
+
+
 def hypotheses(picture):
     ink = ink_of(picture)
-    skeleton = thin(ink)
-    graph = corner_graph(skeleton, vertex_candidates(trace_strokes(skeleton, 1.5), Round(1.5, 2.0), ink.pen_width), 2.0)
+    graph = graph_of(ink)
     return list(caps(graph, enclosed_regions(ink.mask, ink.pen_width, 1.5), ink.pen_width))
 
 
@@ -53,9 +60,7 @@ def test_rungs_leave_the_cap_so_a_lone_polygon_gives_nothing():
 
 def test_a_speck_on_a_corner_is_no_hole():
     ink = ink_of(prism(SQUARE, SQUARE + DEPTH, "removed"))
-    skeleton = thin(ink)
-    traced = trace_strokes(skeleton, 1.5)
-    graph = corner_graph(skeleton, vertex_candidates(traced, Round(1.5, 2.0), ink.pen_width), 2.0)
+    graph = graph_of(ink)
     speck = Region(SQUARE, (SQUARE[0] + [[1.0, 0], [1, 1], [0, 1]],))
     found = list(caps(graph, [speck], ink.pen_width))
     assert found

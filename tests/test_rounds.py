@@ -7,7 +7,7 @@ import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
 from sketch2shape.model import ring_edges
-from sketch2shape.rounds import Round, Traced, corner_graph, rounds_for, vertex_candidates
+from sketch2shape.rounds import Round, Traced, corner_graph, is_wireframe, rounds_for, vertex_candidates
 from sketch2shape.sheet import split_groups
 from sketch2shape.strokes import thin
 
@@ -25,12 +25,21 @@ def test_tolerance_only_grows_from_round_to_round():
 
 def test_a_box_has_its_corners_and_ink_between_those_that_an_edge_joins():
     group, ruled = traced(prism(SQUARE, SQUARE + DEPTH))
-    graph = corner_graph(ruled.skeleton, vertex_candidates(ruled.strokes, Round(1.5, 2.0), group.ink.pen_width), 2.0)
+    points = vertex_candidates(ruled.strokes, ruled.corners, Round(1.5, 2.0), group.ink.pen_width)
+    graph = corner_graph(ruled.skeleton, points, 2.0)
     truth = np.r_[SQUARE, SQUARE + DEPTH] - group.offset
     gap = np.linalg.norm(graph.points[:, None] - truth[None], axis=2)
     assert gap.min(axis=0).max() < 2.5
     joined = graph.inked[np.ix_(gap.argmin(axis=0), gap.argmin(axis=0))]
     assert {frozenset(e) for e in np.argwhere(joined).tolist()} == {frozenset(e) for e in ring_edges([4]).tolist()}
+
+
+def test_a_wireframe_is_told_from_a_scribble_by_where_three_strokes_meet():
+    assert is_wireframe(traced(prism(SQUARE, SQUARE + DEPTH))[1].corners)
+    picture, rng = paper(), np.random.default_rng(3)
+    for a, b in pairwise(rng.uniform(60, 420, (12, 2))):
+        line(picture, a, b)
+    assert not is_wireframe(traced(picture)[1].corners)
 
 
 def test_ruled_lines_hardly_wobble_and_wavy_ones_do():
