@@ -74,7 +74,7 @@ def vertex_candidates(strokes: Strokes, corners: Corners, tolerant: Round, pen: 
 
 def is_wireframe(corners: Corners) -> bool:
     """Whether strokes meet in threes, as at the vertices of a prism with all edges drawn."""
-    return 3 * np.count_nonzero(corners.degree == 3) > IN_THREES * int(corners.degree.sum())
+    return bool(3 * np.count_nonzero(corners.degree == 3) > IN_THREES * corners.degree.sum())
 
 
 def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> CornerGraph:
