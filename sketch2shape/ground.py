@@ -11,12 +11,10 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from sketch2shape.model import Gray, as_gray
+from sketch2shape.levels import counts_of
+from sketch2shape.model import Floats, Gray, as_gray
 from sketch2shape.paper import noise_of
-
-Counts = NDArray[np.float64]
 
 LONG_SIDE = 1100
 """Long side of the working size for large pictures, pixels."""
@@ -62,9 +60,9 @@ def read_ground(pixels: Gray) -> Ground:
     seen, scale = at_working_size(pixels if coloured else _gray(pixels))
     gray = _gray(seen) if coloured else seen
     ground = _frame_level(gray)
-    levels = _levels(gray[::4])
+    levels = counts_of(gray[::4])
     clean = bool(levels[ground] > CLEAN * levels.sum())
-    even = _is_even(levels if clean else _levels(_without_noise(gray)), ground)
+    even = _is_even(levels if clean else counts_of(_without_noise(gray)), ground)
     even = even and (clean or not _lies_on_table(gray, ground))
     dark = _is_dark(gray, levels, ground, even)
     beyond = levels[: max(0, ground - 24)] if dark else levels[ground + 25 :]
@@ -116,16 +114,11 @@ def _reduced(gray: Gray, factor: float) -> Gray:
     return as_gray(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
 
 
-def _levels(gray: Gray) -> Counts:
-    """(256,) how many pixels have each level."""
-    return np.asarray(cv2.calcHist([gray], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
-
-
 def _without_noise(gray: Gray) -> Gray:
     return _reduced(gray, 0.5 if noise_of(gray) < 6.0 else 0.25)
 
 
-def _is_even(levels: Counts, ground: int) -> bool:
+def _is_even(levels: Floats, ground: int) -> bool:
     """The ground is one narrow peak, or very few levels hold all: flat fills."""
     fullest = np.cumsum(np.sort(levels)[::-1])
     peak = levels[max(0, ground - 6) : ground + 7].sum()
@@ -172,7 +165,7 @@ def _frame_level(gray: Gray) -> int:
     y, x = max(1, h // 15), max(1, w // 15)
     parts = (inner[:y], inner[-y:], inner[y:-y, :x], inner[y:-y, -x:])
     margin = np.concatenate([p.ravel() for p in parts])
-    counts = _levels(margin)
+    counts = counts_of(margin)
     middle = int(np.argmax(np.convolve(counts, np.ones(5), mode="same")))
     low = max(0, middle - 2)
     return low + int(np.argmax(counts[low : middle + 3]))
@@ -186,7 +179,7 @@ def _is_coloured(pixels: Gray) -> bool:
     return bool(cv2.countNonZero(cv2.threshold(tint, 50, 1, cv2.THRESH_BINARY)[1]) > 0.0005 * tint.size)
 
 
-def _is_dark(gray: Gray, levels: Counts, ground: int, even: bool) -> bool:
+def _is_dark(gray: Gray, levels: Floats, ground: int, even: bool) -> bool:
     """Light ink on a dark ground: by what is thin, or else by the side of the ground on which the rest lies."""
     dark, light = levels[: max(0, ground - 24)].sum(), levels[ground + 25 :].sum()
     if dark == light == 0:
@@ -205,8 +198,11 @@ def _is_dark(gray: Gray, levels: Counts, ground: int, even: bool) -> bool:
 
 def _even_contrast(plane: Gray) -> Gray:
     """1 - plane / level of the margin in 255ths, by a table."""
+    level = max(_frame_level(plane), 1)
+    if level == 255:
+        return as_gray(cv2.bitwise_not(plane))
     levels = np.arange(256, dtype=np.uint8)
-    return as_gray(cv2.LUT(plane, _contrast(levels, np.full_like(levels, max(_frame_level(plane), 1)))))
+    return as_gray(cv2.LUT(plane, _contrast(levels, np.full_like(levels, level))))
 
 
 def _uneven_paper(plane: Gray) -> Gray:

@@ -17,6 +17,7 @@ from sketch2shape.fills import without_fills, without_stains
 from sketch2shape.grain import with_weak_places, without_burrs
 from sketch2shape.ground import read_ground
 from sketch2shape.hatching import without_hatching
+from sketch2shape.levels import percentile
 from sketch2shape.model import Bools, Floats, Gray, Ink, Picture, as_gray
 from sketch2shape.page import find_page, page_homography
 from sketch2shape.paper import noise_of, paper_marks, without_bands
@@ -56,7 +57,9 @@ def find_ink(picture: Picture) -> Ink:
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     diagonal = float(np.hypot(*contrast.shape))
-    part = contrast[frame] if ground.clean else without_stains(contrast[frame], floor, diagonal)
+    part = np.ascontiguousarray(contrast[frame])
+    if not ground.clean:
+        part = without_stains(part, floor, diagonal)
     part = without_fills(part, floor, diagonal)
     ringing = ringing_of(part)
     weakest = WEAKEST if marks == floor else 1.0
@@ -69,9 +72,9 @@ def find_ink(picture: Picture) -> Ink:
     drawn = without_burrs(drawn, pen_width)
     mask[frame] = drawn
     inked = part[drawn]
-    peak = float(np.percentile(inked, 90)) if len(inked) else 255.0
-    np.multiply(part, np.float32(1.0 / max(peak, 1.0)), out=strength[frame])
-    np.minimum(strength[frame], 1.0, out=strength[frame])
+    peak = percentile(inked, 90) if len(inked) else 255.0
+    shares = np.arange(256, dtype=np.float32) * np.float32(1.0 / max(peak, 1.0))
+    strength[frame] = cv2.LUT(part, np.minimum(shares, np.float32(1.0)))
     return Ink(mask=mask, strength=strength, pen_width=pen_width, scale=scale, page=page)
 
 

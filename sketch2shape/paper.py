@@ -10,11 +10,14 @@ import itertools
 import cv2
 import numpy as np
 
+from sketch2shape.levels import counts_of
 from sketch2shape.model import Bools, Floats, Gray
 from sketch2shape.pen import rough_pen_width
 
 TILES = 10
 """The picture is cut into TILES x TILES to see what marks are everywhere."""
+EMPTIEST = 0.12
+"""Share of the tiles that surely hold marks only, or nothing."""
 PALE = 100.0
 """Contrast below which a picture that is evenly covered is empty paper."""
 CLEAR_STEP = 1.12
@@ -61,7 +64,7 @@ def _median(values: Gray) -> float:
     """Median of bytes, between the levels."""
     if 2 * int(cv2.countNonZero(values)) <= values.size:
         return 0.0
-    counts = np.cumsum(cv2.calcHist([values], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
+    counts = np.cumsum(counts_of(values))
     half = 0.5 * float(counts[-1])
     level = int(np.searchsorted(counts, half))
     if level == 0:
@@ -81,10 +84,9 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
     h, w = contrast.shape
     if min(h, w) < 8 * TILES:
         return 0.0
-    rows, columns = (np.arange(PARTS * TILES + 1) * n // (PARTS * TILES) for n in (h, w))
-    strips = np.stack([contrast[top:bottom].max(axis=0) for top, bottom in itertools.pairwise(rows)])
-    highest = np.maximum.reduceat(strips, columns[:-1], axis=1).astype(np.float64)
-    parts = highest.reshape(TILES, PARTS, TILES, PARTS).swapaxes(1, 2)
+    if on_page is None and np.count_nonzero(_highest(contrast, TILES)) < (1.0 - EMPTIEST) * TILES**2 - 1.0:
+        return 0.0
+    parts = _highest(contrast, PARTS * TILES).astype(np.float64).reshape(TILES, PARTS, TILES, PARTS).swapaxes(1, 2)
     tallest = np.sort(parts.reshape(TILES**2, PARTS**2), axis=1)[:, -3]  # a speck or two are no mark
     if on_page is not None:
         coarse = np.asarray(on_page[::4, ::4], dtype=np.uint8)
@@ -93,12 +95,19 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
         if len(tallest) < TILES:
             return 0.0
     tallest = np.sort(tallest)
-    low, high = np.percentile(tallest, (12, 95))
+    low, high = np.quantile(tallest, (EMPTIEST, 0.95))
     if low == 0.0:
         return 0.0
     if low > 0.86 * high:
         return 1.2 * float(high) if high < PALE else 0.0
     return _split(tallest, float(low))
+
+
+def _highest(contrast: Gray, count: int) -> Gray:
+    """(count, count) highest contrast in each of the parts into which both sides are cut."""
+    rows, columns = (np.arange(count + 1) * n // count for n in contrast.shape)
+    strips = np.stack([contrast[top:bottom].max(axis=0) for top, bottom in itertools.pairwise(rows.tolist())])
+    return np.asarray(np.maximum.reduceat(strips, columns[:-1], axis=1), np.uint8)
 
 
 def _split(tallest: Floats, low: float) -> float:
@@ -107,7 +116,7 @@ def _split(tallest: Floats, low: float) -> float:
     low : contrast of a tile that surely holds marks only
     """
     steps = np.append((tallest[1:] + 1.0) / (tallest[:-1] + 1.0), 1.0)
-    steps[(tallest > 2.2 * low + 4) | (np.arange(len(steps)) <= 0.12 * len(steps))] = 0.0
+    steps[(tallest > 2.2 * low + 4) | (np.arange(len(steps)) <= EMPTIEST * len(steps))] = 0.0
     last = int(np.argmax(np.where(steps > WIDE_STEP, WIDE_STEP, steps)))
     if steps[last] > CLEAR_STEP and low > 20.0:
         between = float(np.sqrt(tallest[last] * tallest[last + 1]))

@@ -21,8 +21,9 @@ def pen_width_of(mask: Bools) -> float:
     distance = cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5)
     peak = cv2.dilate(distance, np.ones((3, 3), np.uint8))
     where = np.flatnonzero(np.asarray(padded, np.uint8).view(np.bool_))
-    inside = distance.ravel()[where]
-    return max(1.0, 2.0 * float(np.median(inside[inside >= peak.ravel()[where]])) - 0.7)
+    inside = distance.ravel().take(where)
+    ridge = inside[inside >= peak.ravel().take(where)]
+    return max(1.0, 2.0 * float(np.median(ridge)) - 0.7)
 
 
 def rough_pen_width(mask: Bools) -> float:

@@ -27,7 +27,7 @@ CLUTTER = 0.07
 class Group:
     """Ink that belongs together, cut out of the sheet.
 
-    ink    : the group's own ink, with a margin around it
+    ink    : the group's own ink, with an empty margin around it
     offset : (2,) float, where its pixel (0, 0) lies on the sheet
     solid  : (h, w) bool, ink of pieces too large to be letters or dashes
     size   : diagonal of the group's bounding box, pixels
@@ -41,30 +41,38 @@ class Group:
 
 def split_groups(ink: Ink, most: int = 12) -> list[Group]:
     """Groups of the sheet that could be objects, the largest first."""
-    mask = np.asarray(ink.mask, np.bool_).view(np.uint8)
-    left, top, width, height = cv2.boundingRect(mask)
+    left, top, width, height = cv2.boundingRect(ink.mask.view(np.uint8))
     if not width:
         return []
-    frame = (slice(top, top + height), slice(left, left + width))
-    part = replace(ink, mask=ink.mask[frame], strength=ink.strength[frame])
-    pieces = connected_pieces(mask[frame])
-    owner = _owners(mask[frame], pieces, ink.pen_width)
+    frame = (left - MARGIN, top - MARGIN, left + width + MARGIN, top + height + MARGIN)
+    part = replace(ink, mask=_within(ink.mask, frame), strength=_within(ink.strength, frame))
+    pieces = connected_pieces(part.mask.view(np.uint8))
+    owner = _owners(pieces, int(max(3 * ink.pen_width + 3, 0.012 * float(np.hypot(width - 1, height - 1)))))
     boxes = {int(g): _box(pieces, owner == g) for g in np.unique(owner[1:])}
     size = {g: float(np.hypot(x1 - x0, y1 - y0)) for g, (x0, y0, x1, y1) in boxes.items()}
     largest = max(size.values())
     names = sorted((g for g in size if size[g] >= max(SMALLEST * largest, 12.0)), key=lambda g: -size[g])
-    corner = np.array([left, top], float)
+    corner = np.array([left - MARGIN, top - MARGIN], float)
     return [_cut(part, corner, pieces, owner == g, boxes[g]) for g in names[:most]]
 
 
-def _owners(mask: NDArray[Any], pieces: Pieces, pen: float) -> Ints:
-    """Group of every connected piece: pieces that nearly touch, then groups inside another's outline."""
-    gap = int(max(3 * pen + 3, 0.012 * float(np.hypot(mask.shape[0] - 1, mask.shape[1] - 1))))
-    grown = cv2.dilate(mask, np.ones((gap, gap), np.uint8))
-    count, joined = cv2.connectedComponents(grown, connectivity=8)
-    owner = np.zeros(len(pieces.low), np.intp)
-    first = np.array([outline[0, 0] for outline in pieces.outlines])
-    owner[pieces.owner] = joined[first[:, 1], first[:, 0]]
+def _within(plane: NDArray[Any], box: tuple[int, int, int, int]) -> NDArray[Any]:
+    """What lies from left and top to right and bottom, empty beyond the plane's own border."""
+    x0, y0, x1, y1 = box
+    h, w = plane.shape
+    part = plane[max(y0, 0) : y1, max(x0, 0) : x1]
+    beyond = ((max(-y0, 0), max(y1 - h, 0)), (max(-x0, 0), max(x1 - w, 0)))
+    return np.pad(part, beyond) if np.any(beyond) else part
+
+
+def _owners(pieces: Pieces, gap: int) -> Ints:
+    """Group of every connected piece: pieces less than a gap apart, then groups inside another's outline."""
+    owner = np.arange(len(pieces.low))
+    if len(pieces.outlines) == 1:
+        return owner
+    count, joined = cv2.connectedComponents(cv2.dilate(pieces.mask, np.ones((gap, gap), np.uint8)), connectivity=8)
+    x, y = pieces.first.T
+    owner[1:] = joined[y, x]
     return owner if count == 2 else _with_inner(owner, pieces)
 
 
@@ -72,7 +80,7 @@ def _with_inner(owner: Ints, pieces: Pieces) -> Ints:
     """`owner` with every group that lies inside another's convex hull given to that one; of the largest groups."""
     boxes = {int(g): _box(pieces, owner == g) for g in np.unique(owner[1:])}
     ranked = sorted(boxes, key=lambda g: -float(np.hypot(boxes[g][2] - boxes[g][0], boxes[g][3] - boxes[g][1])))[:24]
-    group_of = owner[pieces.owner]
+    before = owner
     for k, outer in enumerate(ranked):
         left, top, right, bottom = boxes[outer]
         hull = None
@@ -81,7 +89,7 @@ def _with_inner(owner: Ints, pieces: Pieces) -> Ints:
             if x0 < left or y0 < top or x1 > right or y1 > bottom:
                 continue
             if hull is None:
-                hull = cv2.convexHull(np.concatenate([pieces.outlines[i] for i in np.flatnonzero(group_of == outer)]))
+                hull = cv2.convexHull(np.concatenate([pieces.outlines[i] for i in np.flatnonzero(before[1:] == outer)]))
             corners = [(x0, y0), (x1 - 1, y0), (x0, y1 - 1), (x1 - 1, y1 - 1)]
             if all(cv2.pointPolygonTest(hull, (float(x), float(y)), False) >= 0 for x, y in corners):
                 owner = np.where(owner == inner, outer, owner)
@@ -101,24 +109,14 @@ def _cut(ink: Ink, corner: Floats, pieces: Pieces, mine: Bools, box: tuple[int, 
     size = float(np.hypot(x1 - x0, y1 - y0))
     mine[0] = False
     large = mine & (pieces.extent >= CLUTTER * size)
-    mask, solid = (_pixels_of(pieces.label[y0:y1, x0:x1], some) for some in (mine, large))
-    strength = np.asarray(ink.strength[y0:y1, x0:x1] * mask, np.float32)
-    return Group(
-        replace(ink, mask=_framed(mask).view(np.bool_), strength=_framed(strength)),
-        corner + [x0 - MARGIN, y0 - MARGIN],
-        _framed(solid).view(np.bool_),
-        size,
-    )
+    frame = (slice(y0 - MARGIN, y1 + MARGIN), slice(x0 - MARGIN, x1 + MARGIN))
+    mask, solid = (_pixels_of(pieces, some, frame) for some in (mine, large))
+    own = replace(ink, mask=mask, strength=ink.strength[frame])
+    return Group(own, corner + [x0 - MARGIN, y0 - MARGIN], solid, size)
 
 
-def _pixels_of(label: NDArray[np.int32], some: Bools) -> NDArray[np.uint8]:
-    """0/1 map of some of the pieces."""
+def _pixels_of(pieces: Pieces, some: Bools, frame: tuple[slice, slice]) -> Bools:
+    """Map of some of the pieces."""
     if some[1:].all():
-        return np.asarray(label > 0).view(np.uint8)
-    return some.view(np.uint8).take(label)
-
-
-def _framed(plane: NDArray[Any]) -> NDArray[Any]:
-    """With an empty margin around it."""
-    framed = cv2.copyMakeBorder(plane, MARGIN, MARGIN, MARGIN, MARGIN, cv2.BORDER_CONSTANT, value=0)
-    return np.asarray(framed, dtype=plane.dtype)
+        return pieces.mask[frame].view(np.bool_)
+    return some.take(pieces.label[frame])
