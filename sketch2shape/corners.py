@@ -53,11 +53,8 @@ def join_ends(strokes: Strokes, pen: float) -> Corners:
     return Corners(points, degree, on, label.reshape(-1, 2))
 
 
-def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
-    """Points where at least `least` strokes run across each other, (k, 2) float, pixels.
-
-    Where two cross there is usually no vertex; where three do, vertices coincide (the isometric cube's centre).
-    """
+def crossed(strokes: Strokes, reach: float) -> Floats:
+    """Points where two strokes run across each other, both for more than twice the reach on, (k, 2) float, pixels."""
     a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
     i, j = np.triu_indices(len(a), 1)
     det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
@@ -69,7 +66,15 @@ def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
     t = (w[:, 0] * span[i, 1] - w[:, 1] * span[i, 0]) / det
     inner_s, inner_t = np.minimum(s, 1 - s) * length[i], np.minimum(t, 1 - t) * length[j]
     ok = (inner_s > 2 * reach) & (inner_t > 2 * reach)
-    points = a[i[ok]] + s[ok, None] * span[i[ok]]
+    return np.asarray(a[i[ok]] + s[ok, None] * span[i[ok]])
+
+
+def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:
+    """Points where at least `least` strokes run across each other, (k, 2) float, pixels.
+
+    Where two cross there is usually no vertex; where three do, vertices coincide (the isometric cube's centre).
+    """
+    points = crossed(strokes, reach)
     kept: list[tuple[float, float]] = []
     for x, y in points[_strokes_across(points, strokes, reach, 2 * reach).sum(axis=1) >= least].tolist():
         if all(hypot(x - u, y - v) >= 2 * reach for u, v in kept):

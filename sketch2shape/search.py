@@ -8,58 +8,29 @@ a budget, and has them verified.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 
-from sketch2shape import caps, separate
+from sketch2shape.attempts import GOOD, POOR, Attempt, attempts, is_sound
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, on_map, refine
 from sketch2shape.rings import Rings, coincide, plausible, split
-from sketch2shape.rounds import (
-    CLOSE,
-    Round,
-    Traced,
-    corner_graph,
-    is_wireframe,
-    rounds_for,
-    sheet_for,
-    vertex_candidates,
-)
+from sketch2shape.rounds import is_wireframe
 from sketch2shape.sheet import Group, split_groups
-from sketch2shape.shortlist import PERFECT, SHORTLIST, Judged, shortlist
+from sketch2shape.shortlist import PERFECT
 from sketch2shape.simplify import simplified
 from sketch2shape.strokes import Skeleton, thin
 from sketch2shape.verify import Evidence, Sheet, is_dashed, judge
 
-GOOD = 0.98
-"""Score of an answer that only has to hold against those of the next round."""
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
-MOST_STEPS = 24000
-"""Steps of the search for cycles in one round."""
-COARSEST = 0.1
-"""Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
-STEADY = 0.4
-"""Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
-ROUGH = 0.9
-"""Score that the roughest round has to reach: so much tolerance finds something in any tangle."""
-CONTENT = 0.95
-"""Score from which neither the roughest round nor a close look is worth taking."""
-UNSTEADY = 0.5
-"""Wobble of strokes, pixels, with which the round for ruled lines is left out."""
-RULED = 3.0
-"""Reach of a round, pixels, up to which lines count as ruled."""
 LEAST_SCORE = 0.7
 """Below this a group of ink beside an object is not taken for a second one."""
 LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
-POOR = 0.8
-"""A round whose best hypothesis scores less is refined only if no other round does better."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -85,29 +56,6 @@ class Found:
     def size(self) -> float:
         """Diagonal of the object's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
-
-
-def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
-    """Closed ladders of rungs, each also with the smaller ones inside it as holes."""
-    steps = iter(range(MOST_STEPS))
-    for ladder in separate.ladders(graph):
-        found: dict[frozenset[int], Rings] = {}
-        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, steps):
-            key = frozenset(cycle.tolist())
-            if key not in found:
-                found[key] = separate.ring_pair(ladder, graph, cycle)
-                yield found[key]
-        if len(found) > 1:
-            yield from _holed(found)
-
-
-def _holed(found: dict[frozenset[int], Rings]) -> Iterator[Rings]:
-    keys = sorted(found, key=len, reverse=True)
-    for key in keys[:6]:
-        others = [found[k] for k in keys if not k & key]
-        rings = separate.with_holes(found[key], others[:8]) if others else None
-        if rings is not None:
-            yield rings
 
 
 def find_all(ink: Ink) -> list[Found]:
@@ -138,7 +86,7 @@ def find(group: Group) -> Found | None:
     poor: Attempt | None = None
     good_since = 99
     before: list[Attempt] = []
-    for attempt in _attempts(group, skeleton):
+    for attempt in attempts(group, skeleton):
         k = attempt.number
         if attempt.score >= POOR:
             best = _better(best, _best_of(attempt), 0.004 * k)
@@ -157,11 +105,6 @@ def find(group: Group) -> Found | None:
     return best
 
 
-def _is_sound(evidence: Evidence) -> bool:
-    """Whether all that should have been drawn has, whatever else has been drawn."""
-    return evidence.score >= POOR and evidence.support > 0.97 and evidence.weakest > 0.8
-
-
 def _is_scribble(attempt: Attempt) -> bool:
     """Whether there are more strokes than any drawing has, and nothing explains them even roughly.
 
@@ -175,7 +118,7 @@ def _is_scribble(attempt: Attempt) -> bool:
 def _is_settled(best: Found | None, attempt: Attempt, before: list[Attempt]) -> bool:
     """Whether a clearly wider search finds the same object, all of it drawn: the ink left over is none of it."""
     reach = attempt.sheet.reach
-    if best is None or not _is_sound(best.evidence) or not attempt.is_sound or best.evidence.explained > GOOD:
+    if best is None or not is_sound(best.evidence) or not attempt.is_sound or best.evidence.explained > GOOD:
         return False
     return any(b.is_sound and 1.5 * b.sheet.reach < reach and _alike(attempt.best, b.best, reach) for b in before)
 
@@ -189,76 +132,6 @@ def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> F
         seen = judge(best.rings, other.sheet)
         same = replace(best, evidence=seen) if seen.score > best.evidence.score else best
     return other if _merit(other) - handicap > _merit(same) else best
-
-
-@dataclass(frozen=True)
-class Attempt:
-    """The outcome of one round, before refinement.
-
-    number    : of the round
-    traced    : the drawing as the round saw it
-    shortlist : the best few hypotheses, the best first
-    sheet     : what they were compared with
-    """
-
-    number: int
-    traced: Traced
-    shortlist: list[Judged]
-    sheet: Sheet
-
-    @property
-    def score(self) -> float:
-        """Of the best hypothesis; 0 if there is none."""
-        return self.shortlist[0][1].score if self.shortlist else 0.0
-
-    @property
-    def best(self) -> Rings:
-        """The best hypothesis."""
-        return self.shortlist[0][0]
-
-    @property
-    def is_sound(self) -> bool:
-        """Whether all of the best hypothesis has been drawn, whatever else has."""
-        return bool(self.shortlist) and _is_sound(self.shortlist[0][1])
-
-
-def _attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
-    """Round after round, but for those that promise nothing new."""
-    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
-    narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
-    traced = Traced(group, skeleton, 0.0)
-    found: list[Attempt] = []
-    for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
-        if k and tolerant.reach > COARSEST * narrow:
-            break
-        if traced.tolerance != tolerant.trace:
-            traced = Traced(group, skeleton, tolerant.trace)
-        if (k == 0 and traced.wobble > UNSTEADY) or (k == 1 and found and found[-1].is_sound):
-            continue
-        if tolerant.last_resort and found and max(a.score for a in found) >= CONTENT:
-            break
-        attempt = _attempt(traced, tolerant, k)
-        if tolerant.last_resort and attempt.score < ROUGH:
-            break
-        found.append(attempt)
-        yield attempt
-    traced = Traced(group, skeleton, CLOSE.trace)
-    if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
-        yield _attempt(traced, CLOSE, len(found))
-
-
-def _attempt(traced: Traced, tolerant: Round, number: int) -> Attempt:
-    skeleton, pen = traced.skeleton, traced.skeleton.pen_width
-    graph = corner_graph(skeleton, vertex_candidates(traced.strokes, traced.corners, tolerant, pen), tolerant.reach)
-    sheet = sheet_for(traced.group, skeleton, tolerant.reach)
-    # within the width of a ruled line there is no second answer to a wireframe
-    enough = 1 if tolerant.reach <= RULED else SHORTLIST
-    best = shortlist(wire_hypotheses(graph), sheet, [], enough)
-    if not best or best[0][1].score < GOOD:
-        best = shortlist(caps.caps(graph, traced.regions, pen), sheet, best)
-        if tolerant.loose and (not best or best[0][1].score < GOOD):
-            best = shortlist(caps.loose_caps(graph, traced.regions, pen), sheet, best)
-    return Attempt(number, traced, best, sheet)
 
 
 def _best_of(attempt: Attempt) -> Found | None:

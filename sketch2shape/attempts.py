@@ -1,0 +1,184 @@
+"""Attempts: what each round makes of a drawing.
+
+A round traces strokes, joins their ends to corners, asks both face separators (`separate` where all edges are drawn,
+`caps` where the back is dashed or missing) for hypotheses, best first and within a budget, and has them verified.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import cv2
+import numpy as np
+
+from sketch2shape import caps, separate
+from sketch2shape.corners import crossed
+from sketch2shape.rings import Rings
+from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
+from sketch2shape.sheet import Group
+from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
+from sketch2shape.strokes import Skeleton
+from sketch2shape.verify import Evidence, Sheet
+
+GOOD = 0.98
+"""Score of an answer that only has to hold against those of the next round."""
+POOR = 0.8
+"""A round whose best hypothesis scores less is refined only if no other round does better."""
+MOST_STEPS = 24000
+"""Steps of the search for cycles in one round."""
+COARSEST = 0.1
+"""Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
+STEADY = 0.4
+"""Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
+ROUGH = 0.9
+"""Score that the roughest round has to reach: so much tolerance finds something in any tangle."""
+CONTENT = 0.95
+"""Score from which neither the roughest round nor a close look is worth taking."""
+UNSTEADY = 0.5
+"""Wobble of strokes, pixels, with which the round for ruled lines is left out."""
+RULED = 3.0
+"""Reach of a round, pixels, up to which lines count as ruled."""
+SEE_THROUGH = 2
+"""Strokes that run across each other from which a drawing is likely to show its hidden edges."""
+EARLY = 4
+"""Rounds of such a drawing that look for it alone before any looks for faces with nothing behind them."""
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """The outcome of one round, before refinement.
+
+    number    : of the round
+    traced    : the drawing as the round saw it
+    shortlist : the best few hypotheses, the best first
+    sheet     : what they were compared with
+    """
+
+    number: int
+    traced: Traced
+    shortlist: list[Judged]
+    sheet: Sheet
+
+    @property
+    def score(self) -> float:
+        """Of the best hypothesis; 0 if there is none."""
+        return self.shortlist[0][1].score if self.shortlist else 0.0
+
+    @property
+    def best(self) -> Rings:
+        """The best hypothesis."""
+        return self.shortlist[0][0]
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether all of the best hypothesis has been drawn, whatever else has."""
+        return bool(self.shortlist) and is_sound(self.shortlist[0][1])
+
+
+def is_sound(evidence: Evidence) -> bool:
+    """Whether all that should have been drawn has, whatever else has been drawn."""
+    return evidence.score >= POOR and evidence.support > 0.97 and evidence.weakest > 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class _Look:
+    """A round's look at a drawing; nothing is worked out before it is asked for."""
+
+    number: int
+    round: Round
+    traced: Traced
+
+    @cached_property
+    def sheet(self) -> Sheet:
+        return sheet_for(self.traced.group, self.traced.skeleton, self.round.reach)
+
+    @cached_property
+    def graph(self) -> separate.CornerGraph:
+        traced, pen = self.traced, self.traced.skeleton.pen_width
+        points = vertex_candidates(traced.strokes, traced.corners, self.round, pen)
+        return corner_graph(traced.skeleton, points, self.round.reach)
+
+    @cached_property
+    def is_see_through(self) -> bool:
+        across = crossed(self.traced.strokes, self.traced.skeleton.pen_width + self.round.trace / 2)
+        return len(across) >= SEE_THROUGH
+
+    @cached_property
+    def wires(self) -> Attempt:
+        """With all edges drawn."""
+        # within the width of a ruled line there is no second answer to a wireframe
+        enough = 1 if self.round.reach <= RULED else SHORTLIST
+        return self._attempt(shortlist(wire_hypotheses(self.graph), self.sheet, [], enough))
+
+    def attempt(self) -> Attempt:
+        """With all edges drawn or, if that is not good, with the hidden ones dashed or missing."""
+        found, regions, pen = self.wires, self.traced.regions, self.traced.skeleton.pen_width
+        for source in (caps.caps, caps.loose_caps)[: 1 + self.round.loose]:
+            if found.score < GOOD:
+                found = self._attempt(shortlist(source(self.graph, regions, pen), self.sheet, found.shortlist))
+        return found
+
+    def _attempt(self, found: list[Judged]) -> Attempt:
+        return Attempt(self.number, self.traced, found, self.sheet)
+
+
+def _looks(group: Group, skeleton: Skeleton) -> Iterator[_Look]:
+    """The rounds that promise anything, as far as the drawing alone can tell."""
+    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
+    narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
+    traced = Traced(group, skeleton, 0.0)
+    for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
+        if k and tolerant.reach > COARSEST * narrow:
+            break
+        if traced.tolerance != tolerant.trace:
+            traced = Traced(group, skeleton, tolerant.trace)
+        if k or traced.wobble <= UNSTEADY:
+            yield _Look(k, tolerant, traced)
+
+
+def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
+    """Round after round, but for those that promise nothing new."""
+    looks = list(_looks(group, skeleton))
+    found: list[Attempt] = []
+    early = looks[:EARLY] if looks and looks[0].is_see_through else []
+    for look in early:
+        yield look.wires
+    for look in looks:
+        if look.number == 1 and found and found[-1].is_sound:
+            continue
+        if look.round.last_resort and found and max(a.score for a in found) >= CONTENT:
+            break
+        attempt = look.attempt()
+        if look.round.last_resort and attempt.score < ROUGH:
+            break
+        found.append(attempt)
+        if look not in early or attempt is not look.wires:
+            yield attempt
+    traced = Traced(group, skeleton, CLOSE.trace)
+    if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
+        yield _Look(len(found), CLOSE, traced).attempt()
+
+
+def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
+    """Closed ladders of rungs, each also with the smaller ones inside it as holes."""
+    steps = iter(range(MOST_STEPS))
+    for ladder in separate.ladders(graph):
+        found: dict[frozenset[int], Rings] = {}
+        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, steps):
+            key = frozenset(cycle.tolist())
+            if key not in found:
+                found[key] = separate.ring_pair(ladder, graph, cycle)
+                yield found[key]
+        if len(found) > 1:
+            yield from _holed(found)
+
+
+def _holed(found: dict[frozenset[int], Rings]) -> Iterator[Rings]:
+    keys = sorted(found, key=len, reverse=True)
+    for key in keys[:6]:
+        others = [found[k] for k in keys if not k & key]
+        rings = separate.with_holes(found[key], others[:8]) if others else None
+        if rings is not None:
+            yield rings
