@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sketch2shape import search
+from sketch2shape.attempts import GOOD, wire_hypotheses
 from sketch2shape.caps import caps
 from sketch2shape.connect.points import as_points
 from sketch2shape.corners import join_ends
@@ -77,7 +77,7 @@ def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evi
         for rings, evidence in verified(_hypotheses(group, skeleton, tolerant, corners), sheet):
             best = max(best, evidence.score)
             yield rings, evidence
-        if best >= search.GOOD:
+        if best >= GOOD:
             return
 
 
@@ -88,7 +88,7 @@ def _hypotheses(group: Group, skeleton: Skeleton, tolerant: Round, corners: Floa
     points = vertex_candidates(strokes, join_ends(strokes, pen), tolerant, pen) if corners is None else corners
     graph = corner_graph(skeleton, points, tolerant.reach)
     regions = enclosed_regions(group.ink.mask, pen, tolerant.trace)
-    both: Iterable[Iterator[Rings]] = (search.wire_hypotheses(graph), caps(graph, regions, pen))
+    both: Iterable[Iterator[Rings]] = (wire_hypotheses(graph), caps(graph, regions, pen))
     return chain.from_iterable(islice(one, MOST_HYPOTHESES) for one in both)
 
 

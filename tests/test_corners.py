@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.corners import join_ends
+from sketch2shape.corners import crossed, join_ends
 from sketch2shape.strokes import Strokes
 
 
@@ -70,3 +70,9 @@ def test_no_strokes_have_no_corners():
     corners = corners_of()
     assert corners.points.shape == (0, 2)
     assert corners.strokes.shape == (0, 2)
+
+
+def test_strokes_cross_only_where_both_run_on():
+    ends = np.array([[[0, 50], [100, 50]], [[50, 0], [50, 100]], [[80, 46], [80, 100]], [[0, 53], [100, 53]]], float)
+    points = crossed(Strokes(ends, np.ones(4), 1.0), 3.0)
+    assert np.allclose(sorted(map(tuple, points)), [(50, 50), (50, 53), (80, 53)])
