@@ -6,12 +6,13 @@ move further than the drawing's own noise, less is asked for, and in the end not
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sketch2shape.lift.classes import parallel_classes
 from sketch2shape.lift.face import edge_vectors, ring_area, ring_ends
@@ -30,14 +31,13 @@ _KEPT = 0.5
 #: prior odds that two lengths of an object are equal, and the range of the logarithm of their ratio if they are not
 _ALIKE, _RANGE = 0.05, 3.0
 
-#: prior odds that a direction is at right angles, or at another of the rounded angles, to the main one
-_RIGHT, _OTHER = 0.45, 0.05
 
 #: damping of the constraints, part of their mean square
 _DAMPING = 1e-10
 
-#: angles that are rounded, degrees: these between any two directions, the others only to the main one
-_STEP, _OTHERS = 90.0, (45.0, 30.0, 60.0)
+#: angles to the main direction that are rounded, the likeliest first, and the prior odds that one was meant
+_STEPS = np.deg2rad([[90.0], [45.0], [30.0], [60.0]])
+_BELIEFS = np.array([[0.45], [0.05], [0.05], [0.05]])
 
 
 @dataclass(frozen=True)
@@ -60,10 +60,10 @@ class _Edges:
 
 def beautified(shape: Shape, noise: float) -> Shape:
     """The shape with its face made regular; noise is the standard deviation of a drawn vertex, pixels."""
-    to_drawing = np.linalg.inv(shape.map)
+    to_drawing = shape.to_drawing
     reach = _REACH * noise
     for name, face in _candidates(shape, noise):
-        moved = float(np.linalg.norm((face - shape.flat) @ to_drawing, axis=1).max())
+        moved = float(np.hypot(*((face - shape.flat) @ to_drawing).T).max())
         if moved <= reach and _alike(face, shape):
             evidence = {**shape.evidence, "beautified": {"by": name, "moved_px": round(moved, 3)}}
             shape = replace(shape, flat=face, evidence=evidence)
@@ -97,46 +97,46 @@ def _candidates(shape: Shape, noise: float) -> Iterator[tuple[str, Floats]]:
 def _regular_polygon(flat: Floats) -> Floats:
     """The nearest regular polygon with these vertices, by least squares over centre, size and turn."""
     n = len(flat)
-    z = flat[:, 0] + 1j * flat[:, 1]
-    options = []
-    for way in (1.0, -1.0):
-        unit = np.exp(2j * np.pi * way * np.arange(n) / n)
-        fit = z.mean() + unit * (z * unit.conj()).mean()
-        options.append(np.c_[fit.real, fit.imag])
-    best: Floats = min(options, key=lambda p: float(((p - flat) ** 2).sum()))
-    return best
+    z = np.ascontiguousarray(flat).view(complex)[:, 0]
+    units = _unit_polygons(n)
+    # the better fit is the one with the larger polygon: what it does not explain is what is left over
+    sizes = units.conj() @ z / n
+    best = int(np.abs(sizes).argmax())
+    fit = z.sum() / n + units[best] * sizes[best]
+    polygon: Floats = fit.view(float).reshape(n, 2)
+    return polygon
+
+
+@lru_cache(maxsize=256)
+def _unit_polygons(n: int) -> NDArray[np.complex128]:
+    """(2, n) vertices of the regular polygon on the unit circle, in either sense."""
+    turns = 2j * np.pi * np.arange(n) / n
+    return np.exp([turns, -turns])
 
 
 def _sorted_edges(shape: Shape, noise: float) -> _Edges:
     vectors = edge_vectors(shape.flat, shape.sizes)
-    drawn = np.linalg.norm(vectors @ np.linalg.inv(shape.map), axis=1)
+    drawn = np.hypot(*(vectors @ shape.to_drawing).T)
     label, sign = parallel_classes(vectors, drawn, noise)
-    k = int(label.max()) + 1
-    sums = np.zeros((k, 2))
-    np.add.at(sums, label, sign[:, None] * vectors)
-    angle = np.arctan2(sums[:, 1], sums[:, 0])
-    number = np.bincount(label, minlength=k)
-    across = np.c_[-np.sin(angle), np.cos(angle)]
-    wide = noise * np.sqrt(2.0 * number) * np.linalg.norm(across @ shape.map.T, axis=1)
-    spread = wide / np.maximum(np.linalg.norm(sums, axis=1), 1e-12)
-    return _Edges(label, sign, angle, spread, number)
+    x, y = (np.bincount(label, sign * way) for way in vectors.T)
+    angle, number = np.arctan2(y, x), np.bincount(label)
+    wide = noise * np.sqrt(2.0 * number) * np.hypot(*(shape.map @ [-np.sin(angle), np.cos(angle)]))
+    return _Edges(label, sign, angle, wide / np.maximum(np.hypot(x, y), 1e-12), number)
 
 
 def _rounded(edges: _Edges) -> Floats:
     """(k,) directions with right angles, then other simple angles to the main direction, made exact."""
     main = int((edges.number / np.maximum(edges.spread, 1e-9)).argmax())
-    step = np.deg2rad(_STEP)
+    step = _STEPS[0, 0]
     off = (edges.angle - edges.angle[main] + step / 2) % step - step / 2
     square = np.abs(off) <= _NEAR * np.hypot(edges.spread, edges.spread[main])
     weight = square / np.maximum(edges.spread, 1e-9) ** 2
     lean = edges.angle[main] + float((weight * off).sum() / weight.sum())
-    target = edges.angle.copy()
-    for step_deg, belief in ((_STEP, _RIGHT), *((other, _OTHER) for other in _OTHERS)):
-        step = np.deg2rad(step_deg)
-        off = (edges.angle - lean + step / 2) % step - step / 2
-        near = (np.abs(off) <= _slack(edges.spread, belief, step)) & (target == edges.angle)
-        target[near] = (edges.angle - off)[near]
-    return target
+    apart = (edges.angle - lean + _STEPS / 2) % _STEPS - _STEPS / 2
+    near = np.abs(apart) <= _slack(edges.spread, _BELIEFS, _STEPS)
+    # the first of the angles that is near
+    first = near.argmax(axis=0), np.arange(len(edges.angle))
+    return np.where(near[first], edges.angle - apart[first], edges.angle)
 
 
 def _level(targets: Floats, edges: _Edges) -> Floats:
@@ -159,20 +159,22 @@ def _length_rows(shape: Shape, edges: _Edges, directions: Floats, noise: float) 
     angle = directions[edges.label[kept]]
     unit = edges.sign[kept, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     long = (edge_vectors(shape.flat, shape.sizes)[kept] * unit).sum(axis=1)
-    spread = (noise * np.sqrt(2.0) * np.linalg.norm(unit @ shape.map.T, axis=1)).tolist()
+    spread = noise * np.sqrt(2.0) * np.hypot(*(unit @ shape.map.T).T)
     order = np.argsort(long, kind="stable")
+    long, spread = long[order], spread[order]
+    vague = np.hypot(spread[1:], spread[:-1]) / np.maximum(long[1:], 1e-9)
+    slack = (long[1:] * _slack(vague, _ALIKE, _RANGE)).tolist()
     alike: list[tuple[int, int]] = []
-    start = 0
-    for before, here in pairwise(order.tolist()):
-        start = start if alike and alike[-1][1] == before else before
-        slack = math.hypot(spread[here], spread[before])
-        if long[here] - long[start] <= long[here] * _slack(slack / max(long[here], 1e-9), _ALIKE, _RANGE):
+    sizes, start = long.tolist(), 0
+    for k, (before, here) in enumerate(pairwise(order.tolist())):
+        start = start if alike and alike[-1][1] == before else k
+        if sizes[k + 1] - sizes[start] <= slack[k]:
             alike.append((before, here))
     one, other = np.array(alike, np.intp).reshape(-1, 2).T
     return _components(shape, kept[other], unit[other]) - _components(shape, kept[one], unit[one])
 
 
-def _slack(spread: Floats | float, belief: float, span: float) -> Floats:
+def _slack(spread: Floats | float, belief: Floats | float, span: Floats | float) -> Floats:
     """How far two angles, or the logarithms of two lengths, may differ to be likelier meant to be equal than not.
 
     spread : standard deviation of their difference
@@ -223,7 +225,7 @@ def _even_depth(shape: Shape, noise: float) -> Shape:
     """The depth made equal to an edge's length, where it nearly is: a cube is a cube."""
     if shape.family != "axonometric" or shape.taper != 1.0:
         return shape
-    lengths = np.linalg.norm(edge_vectors(shape.flat, shape.sizes), axis=1)
+    lengths = np.hypot(*edge_vectors(shape.flat, shape.sizes).T)
     off = lengths / abs(shape.depth) - 1.0
     best = int(np.abs(off).argmin())
     drawn = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2]))

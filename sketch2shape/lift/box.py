@@ -37,11 +37,11 @@ def simplest_pair(drawing: Drawing) -> tuple[Drawing, Ints | None]:
 
     In a prism over a trapezoid or a wedge, two of the pairs are not parallel; in a frustum over a square only one is.
     """
-    if drawing.sizes != [4]:
-        return drawing, None
-    pairs = drawing.pairs
     # a pair that is a mere guess must fit better than the one given
     slack = [max(_FITS * drawing.noise, part * CONVERGENCE * drawing.diagonal) for part in (1.0, 0.6, 0.6)]
+    if drawing.sizes != [4] or drawing.relation.translation_rms <= slack[0]:
+        return drawing, None
+    pairs = drawing.pairs
     ranks = [_unlikely(pair, limit) for (pair, _), limit in zip(pairs, slack, strict=False)]
     return pairs[ranks.index(min(ranks))]
 

@@ -33,6 +33,20 @@ def all_pairs(k: int) -> tuple[Ints, Ints]:
     return first, second
 
 
+def edge_rows(sizes: list[int]) -> Floats:
+    """(m, m) coefficients that take each edge from the vertices: edges = rows @ vertices; read-only."""
+    return _edge_rows(tuple(sizes))
+
+
+@lru_cache(maxsize=256)
+def _edge_rows(sizes: tuple[int, ...]) -> Floats:
+    first, last = _ring_ends(sizes)
+    rows = np.zeros((len(first), len(first)))
+    rows[first, last], rows[first, first] = 1.0, -1.0
+    rows.flags.writeable = False
+    return rows
+
+
 def edge_vectors(points: Floats, sizes: list[int]) -> Floats:
     """(m, dimensions) the edges of all rings of (m, dimensions) points."""
     first, last = ring_ends(sizes)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -29,8 +30,8 @@ def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
     aside = np.array([0.0, 0.0, -np.sign(normal[0]) or 1.0])  # level too, for a face that looks to the side
     level = _unit(np.array([1.0, 0.0, 0.0]) - normal[0] * normal, aside)
     across = _cross(normal, level)
-    lean = _lean(edge_vectors(front, sizes) @ np.c_[level, across])
-    width = np.cos(lean) * level + np.sin(lean) * across
+    lean = _lean(edge_vectors(front, sizes) @ np.array([level, across]).T)
+    width = math.cos(lean) * level + math.sin(lean) * across
     return np.array([width, _cross(normal, width), normal])
 
 
@@ -39,15 +40,16 @@ def _lean(edges: Floats) -> float:
 
     Squared lengths count, as a long edge says more than many short ones; 0 if no direction has its share.
     """
-    weight = (edges**2).sum(axis=1)
-    angle = np.arctan2(edges[:, 1], edges[:, 0])
+    x, y = edges.T
+    weight, angle = x * x + y * y, np.arctan2(y, x)
     off = (angle[:, None] - angle + np.pi / 4) % (np.pi / 2) - np.pi / 4
-    support = (np.abs(off) < _ALIGNED) @ weight
+    near = np.abs(off) < _ALIGNED
+    support = near @ weight
     best = int(support.argmax())
     if support[best] <= _SHARE * float(weight.sum()):
         return 0.0
-    near = np.abs(off[:, best]) < _ALIGNED
-    mean = angle[best] + float(weight[near] @ off[near, best]) / float(weight[near].sum())
+    own = weight * near[:, best]
+    mean = float(angle[best]) + float(own @ off[:, best]) / float(own.sum())
     return float((mean + np.pi / 4) % (np.pi / 2) - np.pi / 4)
 
 
@@ -79,5 +81,5 @@ def _cross(a: Floats, b: Floats) -> Floats:
 
 
 def _unit(vector: Floats, default: Floats) -> Floats:
-    size = float(np.linalg.norm(vector))
+    size = math.hypot(*vector.tolist())
     return vector / size if size > 1e-12 else default

@@ -34,6 +34,8 @@ _NEARER = np.geomspace(0.9, 1.0 / 0.9, 13)
 #: Gauss-Newton steps: the start is good
 _STEPS = 3
 
+_THREE = np.arange(3)
+
 #: depth over the distance of the front face beyond which a reading is nonsense
 _DEEPEST = 20.0
 
@@ -129,9 +131,10 @@ def _seen(drawing: Drawing, focal: Floats, centre: Floats, relations: Relations 
 
     relations : what could be regular about its face, if that is known already
     """
-    first, second, noise = drawing.first, drawing.second, drawing.noise
-    cameras = _fit(first, second, focal, centre, drawing.relation.centre)
-    shapes, maps = _true_faces(first, second, cameras)
+    first, noise = drawing.first, drawing.noise
+    one, two = (_rays(face, focal, centre) for face in (first, drawing.second))
+    cameras = _fit(one, two, focal, centre, drawing.relation.centre)
+    shapes, maps = _true_faces(first, _front(one, two, cameras), cameras)
     possible = np.isfinite(cameras.rss) & np.isfinite(shapes).all(axis=(1, 2)) & (np.abs(cameras.depth) < _DEEPEST)
     if not possible.any():
         return Seen(cameras, shapes, maps, np.full(len(focal), -np.inf), relations)
@@ -198,9 +201,8 @@ def _rays(points: Floats, focal: Floats, centre: Floats) -> Floats:
     return np.concatenate([flat, np.ones((*flat.shape[:2], 1))], axis=2)
 
 
-def _fit(first: Floats, second: Floats, focal: Floats, centre: Floats, meeting: Floats) -> Cameras:
-    """Fit normal and depth for each camera."""
-    one, two = _rays(first, focal, centre), _rays(second, focal, centre)
+def _fit(one: Floats, two: Floats, focal: Floats, centre: Floats, meeting: Floats) -> Cameras:
+    """Fit normal and depth for each camera, from the rays (g, m, 3) of both faces."""
     start = np.stack(
         [
             (meeting[0] - centre[:, 0] * meeting[2]) / focal,
@@ -218,10 +220,11 @@ def _fit(first: Floats, second: Floats, focal: Floats, centre: Floats, meeting: 
     for _ in range(_STEPS):
         residual, jacobian = _transfer(one, two, m, sign, focal)
         rss = (residual**2).sum(axis=1)
-        square = np.swapaxes(jacobian, 1, 2) @ jacobian
-        size = np.maximum(np.trace(square, axis1=1, axis2=2), 1e-12)
-        square = square + (1e-10 * size)[:, None, None] * np.eye(3)
-        step = np.linalg.solve(square, np.einsum("gki,gk->gi", jacobian, residual)[..., None])[..., 0]
+        across = np.swapaxes(jacobian, 1, 2)
+        square = across @ jacobian
+        own = square[:, _THREE, _THREE]
+        square[:, _THREE, _THREE] = own + np.maximum(1e-10 * own.sum(axis=1), 1e-22)[:, None]
+        step = np.linalg.solve(square, across @ residual[..., None])[..., 0]
         m = m - np.where(np.isfinite(step), step, 0.0)
     size = np.linalg.norm(m, axis=1)
     normal = m / np.maximum(size, 1e-12)[:, None]
@@ -261,23 +264,25 @@ def _transfer(one: Floats, two: Floats, m: Floats, sign: Floats, focal: Floats) 
     return residual.reshape(g, -1), jacobian.reshape(g, -1, 3)
 
 
-def _true_faces(first: Floats, second: Floats, cameras: Cameras) -> tuple[Floats, Floats]:
-    """(g, m, 2) the face in its own plane, second axis down, and (g, 2, 2) the mean linear map from the drawing."""
-    front = _front(first, second, cameras)
-    right, down = _plane(cameras.normal)
-    shapes = np.stack([np.einsum("gmi,gi->gm", front, axis) for axis in (right, down)], axis=2)
+def _true_faces(first: Floats, front: Floats, cameras: Cameras) -> tuple[Floats, Floats]:
+    """(g, m, 2) the face in its own plane, second axis down, and (g, 2, 2) the mean linear map from the drawing.
+
+    first : (m, 2) the face as drawn, pixels
+    front : (g, m, 3) where it is in space
+    """
+    shapes = front @ np.stack(_plane(cameras.normal), axis=2)
     centred = first - first.mean(axis=0)
     maps = np.linalg.pinv(centred) @ (shapes - shapes.mean(axis=1, keepdims=True))
     return shapes, maps
 
 
-def _front(first: Floats, second: Floats, cameras: Cameras) -> Floats:
-    """(g, m, 3) front face: the mean of what both drawn faces say."""
+def _front(one: Floats, two: Floats, cameras: Cameras) -> Floats:
+    """(g, m, 3) front face: the mean of what both drawn faces say, by their rays (g, m, 3)."""
     normal, depth = cameras.normal[:, None], cameras.depth[:, None, None]
-    one, two = (_rays(p, cameras.focal, cameras.centre) for p in (first, second))
+    column = cameras.normal[:, :, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        near = one / (one * normal).sum(axis=2, keepdims=True)
-        far = two / (two * normal).sum(axis=2, keepdims=True) * (1.0 + depth) - depth * normal
+        near = one / (one @ column)
+        far = two / (two @ column) * (1.0 + depth) - depth * normal
     mean: Floats = 0.5 * (near + far)
     return mean
 

@@ -8,6 +8,7 @@ slant is sought together with a small turn of d.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -109,15 +110,16 @@ class _Trials:
     turns: Floats
     sure: Floats
 
-    @property
+    @cached_property
     def stretches(self) -> Floats:
         """(h g, 1) stretch along d."""
         return np.tile(1.0 / np.cos(self.slants), len(self.turns))[:, None]
 
-    @property
-    def swung(self) -> Floats:
-        """(h g, 1) turn of d."""
-        return np.repeat(self.turns, len(self.slants))[:, None]
+    @cached_property
+    def swung(self) -> tuple[Floats, Floats]:
+        """Cosine and sine of the turn of d, both (h g, 1)."""
+        swung = np.repeat(self.turns, len(self.slants))[:, None]
+        return np.cos(swung), np.sin(swung)
 
 
 def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -> ParallelReading:
@@ -129,11 +131,16 @@ def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -
     noise     : standard deviation of a drawn vertex, pixels
     """
     view, drawn, isometric = _viewed(face, d, relations, noise)
-    oblique = float(score(relations, *drawn, noise)[0]) + _OBLIQUE_PRIOR + _oblique_odds(view, drawn[1])
+    trials = _trials(view, _SLANTS, _FEW_TURNS if view.wobble > _SURE else _NO_TURN)
+    found = _stretched(view, trials)
+    # the face as drawn is scored together with the stretched ones
+    every = _joined(drawn[0], found)
+    turned = bearings(relations, every, noise)
+    regular = score(relations, every, turned, noise)
+    oblique = float(regular[0]) + _OBLIQUE_PRIOR + _oblique_odds(view, drawn[1])
     oblique += _usual_odds(view, _RECEDING, _OFTEN)
     isometric += _usual_odds(view, _ISOMETRIC_AXES, _SOMETIMES)
-    trials = _trials(view, _SLANTS, _FEW_TURNS if view.wobble > _SURE else _NO_TURN)
-    odds = _odds(view, trials)
+    odds = regular[1:] + _pose_odds(view, trials, found, Bearings(turned.angle[1:], turned.spread[1:]))
     turn, slant = divmod(int(odds.argmax()), len(_SLANTS))
     top = float(odds.max())
     chance = np.exp(odds - top).sum() / (len(_SLANTS) * trials.sure.sum())
@@ -146,7 +153,10 @@ def refined_pose(reading: ParallelReading) -> Pose:
     view, pose = reading.view, reading.pose
     near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
     trials = _trials(view, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
-    odds = _odds(view, trials).reshape(len(trials.turns), len(near))
+    found = _stretched(view, trials)
+    turned = bearings(view.relations, found, view.noise)
+    odds = score(view.relations, found, turned, view.noise) + _pose_odds(view, trials, found, turned)
+    odds = odds.reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
     return Pose(_peak(near, odds[turn], slant), _peak(trials.turns, odds[:, slant], turn))
 
@@ -164,15 +174,22 @@ def _trials(view: StretchedFace, slants: Floats, turns: Floats) -> _Trials:
     return _Trials(slants, view.wobble * turns, np.exp(-0.5 * turns**2))
 
 
-def _odds(view: StretchedFace, trials: _Trials) -> Floats:
-    """(h g,) log odds of the poses, the turn outermost."""
-    c, s, stretches = np.cos(trials.swung), np.sin(trials.swung), trials.stretches
+def _stretched(view: StretchedFace, trials: _Trials) -> Candidates:
+    """The face in each pose, the turn outermost."""
+    (c, s), stretches = trials.swung, trials.stretches
     x, y = stretches * (c * view.along + s * view.across), c * view.across - s * view.along
-    found = Candidates(x, np.broadcast_to(y, x.shape), stretches[:, 0], stretches[:, 0])
-    turned = bearings(view.relations, found, view.noise)
-    odds = score(view.relations, found, turned, view.noise)
-    odds += _isotropy_odds(view.relations, found)
-    odds = odds + np.add.outer(np.log(trials.sure), _slant_odds(view, trials.slants)).ravel()
+    return Candidates(x, y, stretches[:, 0], stretches[:, 0])
+
+
+def _joined(first: Candidates, more: Candidates) -> Candidates:
+    pairs = ((first.x, more.x), (first.y, more.y), (first.area, more.area), (first.stretch, more.stretch))
+    return Candidates(*(np.concatenate(pair) for pair in pairs))
+
+
+def _pose_odds(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
+    """(h g,) log odds of the poses, whatever shape they give the face."""
+    odds = _isotropy_odds(view.relations, found)
+    odds += np.add.outer(np.log(trials.sure), _slant_odds(view, trials.slants)).ravel()
     return odds if view.rests is None else odds + _gravity_odds(view, view.rests, trials, turned)
 
 
@@ -264,7 +281,7 @@ def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
 def _gravity_odds(view: StretchedFace, rests: Floats, trials: _Trials, turned: Bearings) -> Floats:
     """Paper is held upright: what is drawn vertical is vertical, and the base it stands on is at right angles to it."""
     k = len(rests)
-    c, s = np.cos(trials.swung), np.sin(trials.swung)
+    c, s = trials.swung
     rise, aside = c * view.toward[1] + s * view.toward[0], c * view.toward[0] - s * view.toward[1]
     turn = between(turned.angle[:, :k], np.arctan2(aside, rise * trials.stretches))
     width = np.sqrt(turned.spread[:, :k] ** 2 + np.deg2rad(1.0) ** 2)
@@ -278,8 +295,8 @@ def _rests(ways: Floats, outer: Floats) -> Bools:
     down = np.where(ways[:, :1] > 0, 1.0, -1.0) * np.stack([-ways[:, 1], ways[:, 0]], axis=1)
     depth = outer @ down.T
     close = depth > depth.max(axis=0) - 0.02 * np.ptp(depth, axis=0)
-    rests: Bools = (close & np.roll(close, 1, axis=0)).any(axis=0)
-    return rests
+    both = close & np.concatenate([close[-1:], close[:-1]])
+    return np.asarray(both.any(axis=0))
 
 
 def _oblique_odds(view: StretchedFace, turned: Bearings) -> float:

@@ -10,11 +10,12 @@ from a single freehand line drawing" (1996); the odds, and the use of noise as t
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from sketch2shape.lift.classes import parallel_classes
-from sketch2shape.lift.face import all_pairs, ring_ends
+from sketch2shape.lift.face import all_pairs, edge_rows, ring_ends
 from sketch2shape.model import Bools, Floats, Ints
 
 #: least width of a relation's density, radians: drawings are rounded to pixels even when nothing else is wrong
@@ -105,15 +106,14 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     label, sign = parallel_classes(shape[finish] - shape[start], long, noise)
     edges = np.bincount(label)
     k, m = len(edges), len(shape)
-    every = np.arange(m)
-    sides = np.zeros((m, m))
-    sides[every, finish], sides[every, start] = 1.0, -1.0
+    sides = edge_rows(sizes)
     directions = (sign * (label == np.arange(k)[:, None])) @ sides
     first, second = all_pairs(k)
-    axes, belief = _symmetries(shape, sizes[0], noise * _stretch(shape, drawn))
     if sizes[0] == 4 and len(set(label[:4].tolist())) == 2:
         # a rectangle's symmetries and a rhombus's say again what its edges say
-        axes, belief = axes[:, :0], belief[:0]
+        axes, belief = np.zeros((2, 0, m)), np.zeros(0)
+    else:
+        axes, belief = _symmetries(shape, sizes[0], noise * _stretch(shape, drawn))
     corner = np.zeros((k, k), bool)
     before = np.empty(m, np.intp)
     before[finish] = label[start]
@@ -192,12 +192,15 @@ def _angle_odds(relations: Relations, turned: Bearings) -> Floats:
     if not len(i):
         return np.zeros(len(turned.angle))
     turn = between(turned.angle[:, i], turned.angle[:, j])
-    width = np.sqrt(turned.spread[:, i] ** 2 + turned.spread[:, j] ** 2 + _FLOOR**2)
-    corner = relations.adjacent
-    right = _RIGHT + _RIGHT_AT_CORNER * corner
-    odds = (1.0 - right - _MEANT.sum() * corner) + (np.pi * right) * _density(turn - np.pi / 2, width)
-    others = _density(turn[:, corner, None] - _ANGLES, width[:, corner, None])
-    odds[:, corner] += others @ (0.5 * np.pi * _MEANT)
+    variance = turned.spread[:, : len(relations.edges)] ** 2
+    sharp = 1.0 / np.sqrt(variance[:, i] + variance[:, j] + _FLOOR**2)
+    corner = np.flatnonzero(relations.adjacent)
+    right = _RIGHT + _RIGHT_AT_CORNER * relations.adjacent
+    odds = (np.pi * _PEAK * right) * sharp * np.exp(-0.5 * ((turn - np.pi / 2) * sharp) ** 2)
+    odds += 1.0 - right - _MEANT.sum() * relations.adjacent
+    sharp = sharp[:, corner]
+    others = np.exp(-0.5 * ((turn[:, corner, None] - _ANGLES) * sharp[..., None]) ** 2)
+    odds[:, corner] += (others @ (0.5 * np.pi * _PEAK * _MEANT)) * sharp
     # many pairs of few directions repeat one another: their evidence grows with the number of directions, not of pairs
     share = 2.0 / max(len(relations.edges) - 1.0, 2.0)
     total = share * np.log(odds).sum(axis=1)
@@ -247,16 +250,17 @@ def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
     Under any affine map the chords of a mirror symmetry stay parallel and their middles stay on a line; the two
     directions were at right angles. (2, s, m) coefficients, (s,) beliefs.
     """
-    ring = shape[:n] - shape[:n].mean(axis=0)
+    ring = shape[:n] - shape[:n].sum(axis=0) / n
     limit = max(3.0 * noise, 0.004 * float(np.sqrt((ring**2).sum() / n)))
-    every = np.arange(n)
-    mates = (every[:, None] - every) % n
+    mates = _mates(n)
     far = ring[mates]
-    chords, middles = ring - far, 0.5 * (ring + far)
-    across, along = _main_directions(chords), _main_directions(middles)
-    miss = np.maximum(_off(chords, across), _off(middles, along))
+    # the chords of each guess, then their middles
+    spans = np.concatenate([ring - far, 0.5 * (ring + far)])
+    ways = _main_directions(spans)
+    off = _off(spans, ways)
+    chords, middles, across, along = spans[:n], spans[n:], ways[:n], ways[n:]
     sine = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
-    found = np.flatnonzero((miss <= limit) & (np.abs(sine) >= 0.17))
+    found = np.flatnonzero((np.maximum(off[:n], off[n:]) <= limit) & (np.abs(sine) >= 0.17))
     rows = np.zeros((2, len(found), len(shape)))
     for at, k in enumerate(found):
         half = 0.5 * (middles[k] @ along[k])
@@ -267,6 +271,15 @@ def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
         np.add.at(rows[1, at], mates[k], -span)
     rows /= np.maximum(np.abs(rows).sum(axis=2, keepdims=True), 1e-300)
     return rows, np.array([_SYMMETRY_BELIEF.get((n, k % 2), 0.8) for k in found.tolist()])
+
+
+@lru_cache(maxsize=256)
+def _mates(n: int) -> Ints:
+    """(n, n) the mirror image of each vertex in each of a ring's n symmetries; read-only."""
+    every = np.arange(n)
+    mates = (every[:, None] - every) % n
+    mates.flags.writeable = False
+    return mates
 
 
 #: odds that a symmetry was meant where polygons have it without meaning it: every triangle, every trapezoid (its axis

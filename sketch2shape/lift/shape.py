@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -42,6 +43,13 @@ class Shape:
     evidence: dict[str, Any] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     order: Ints | None = None
+
+    @cached_property
+    def to_drawing(self) -> Floats:
+        """(2, 2) the linear part of flat -> drawing, row vectors."""
+        (a, b), (c, d) = self.map.tolist()
+        inverse: Floats = np.array([[d, -b], [-c, a]]) / (a * d - b * c)
+        return inverse
 
     @property
     def vertices(self) -> Floats:
