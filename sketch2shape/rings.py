@@ -69,14 +69,14 @@ class Frame:
 
     edges  : (3m, 2) int, front, back and connecting edges of each ring in turn
     after  : (m,) int, the next vertex of the same ring
-    behind : (3m,) bool, edges that something may hide: all but those of the front
+    backs  : (m,) int, the edges of the back
     rungs  : (m,) int, the connecting edges, in the order of the vertices they start from
     spans  : start and end of each ring
     """
 
     edges: Ints
     after: Ints
-    behind: Bools
+    backs: Ints
     rungs: Ints
     spans: tuple[tuple[int, int], ...]
 
@@ -87,10 +87,10 @@ def frame(sizes: tuple[int, ...]) -> Frame:
     starts = np.cumsum([0, *sizes]).tolist()
     spans = tuple(pairwise(starts))
     after = np.concatenate([np.r_[a + 1 : b, a] for a, b in spans])
-    behind = np.concatenate([np.repeat([False, True, True], n) for n in sizes])
+    backs = np.flatnonzero(np.concatenate([np.repeat([0, 1, 0], n) for n in sizes]))
     edges = ring_edges(list(sizes))
     rungs = np.flatnonzero(edges[:, 1] - edges[:, 0] == sum(sizes))
-    return Frame(edges, after, behind, rungs, spans)
+    return Frame(edges, after, backs, rungs, spans)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Bools, Floats
+from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.rings import Rings, Stack, stack
 
 SAMPLES = 32
@@ -29,7 +29,7 @@ AT_LEAST = 3.0
 _FINE = (np.arange(SAMPLES * FINE) + 0.5) / (SAMPLES * FINE)
 _EVERY = np.arange(SAMPLES) * FINE + FINE // 2
 _ALONG = ((np.arange(SAMPLES) + 0.5) / SAMPLES)[:, None]
-_STEPS = np.linspace(0.0, 1.0, WAY_BACK, dtype=np.float32)[:, None, None]
+_STEPS = np.linspace(0.0, 1.0, WAY_BACK, dtype=np.float32)[:, None, None, None]
 
 
 def edge_samples(stacked: Stack) -> tuple[Floats, Floats]:
@@ -55,59 +55,52 @@ def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) ->
     margin       : pixels. What lies deeper than this behind the outline is surely hidden; what is shallower may be a
                    matter of the pen
     """
-    v = stacked.vertices
+    v, backs = stacked.vertices, stacked.frame.backs
     low = np.floor(v.min(axis=1)) - 3
     high = np.ceil(v.max(axis=1)) + 3
-    factor = np.minimum(1.0, RASTER / np.maximum((high - low).max(axis=1), 1.0))
-    behind = stacked.frame.behind
-    start = ((base[:, behind] - low[:, None, None]) * factor[:, None, None, None] + 0.5).astype(np.float32)
-    way = ((points - base)[:, behind] * factor[:, None, None, None]).astype(np.float32)
+    factor = np.minimum(1.0, RASTER / np.maximum((high - low).max(axis=1), 1.0))[:, None, None]
+    start = ((base[:, backs] - low[:, None, None]) * factor[..., None]).astype(np.float32)
+    way = ((points - base)[:, backs] * factor[..., None]).astype(np.float32)
+    vertices = (v - low[:, None]) * factor
+    m = len(backs)
+    outlines = np.rint(vertices[:, :m]).astype(np.int32)
+    rungs = (vertices[:, :m, None] + _FINE[:, None] * (vertices[:, m:] - vertices[:, :m])[:, :, None]).astype(np.float32)
+    rims = np.maximum(1, np.rint(margin * factor[:, 0, 0])).astype(int).tolist()
+    sizes = (((high - low) * factor[:, 0]).astype(int) + 1).tolist()
+    near = _FINE * np.hypot(*np.moveaxis(vertices[:, m:] - vertices[:, :m], -1, 0))[..., None] < AT_LEAST
     depth = np.zeros(points.shape[:3], np.uint8)
-    rungs = stacked.frame.rungs
-    for k in range(len(v)):
-        inside, grazed = _interior(v[k], stacked, low[k], high[k], float(factor[k]), margin)
+    met = np.empty((len(v), m, SAMPLES * FINE), np.uint8)
+    for k, outline in enumerate(outlines):
+        inside, thin = _interior([outline[a:b] for a, b in stacked.frame.spans], sizes[k], rims[k])
         # the near end of the way back lies on the outline itself, the far end is the point: its own cap counts too
-        x = (start[k, ..., 0] + _STEPS * way[k, ..., 0]).astype(np.intp)
-        y = (start[k, ..., 1] + _STEPS * way[k, ..., 1]).astype(np.intp)
-        depth[k, behind] = inside.ravel().take(y * inside.shape[1] + x, mode="clip").max(axis=0)
-        m = len(rungs)
-        tips = _behind_a_tip((v[k, :m] - low[k]) * factor[k], (v[k, m:] - low[k]) * factor[k], grazed)
-        depth[k, rungs] = np.maximum(depth[k, rungs], tips)
+        ways = (start[k] + _STEPS * way[k]).reshape(len(_STEPS), -1, 2)
+        depth[k, backs] = _looked_up(inside, ways).max(axis=0).reshape(m, -1)
+        met[k] = _looked_up(thin, rungs[k])
+    met[near] = 0
+    depth[:, stacked.frame.rungs] = np.maximum.accumulate(met, axis=2)[..., _EVERY]
     return depth
 
 
-def _behind_a_tip(front: Floats, back: Floats, inside: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """(m, SAMPLES) 1 where a connecting edge has run behind as little as a tip of the front face, by its fine samples.
+def _looked_up(raster: NDArray[np.uint8], at: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Values of the raster at points (r, c, 2), (r, c); 0 outside."""
+    return np.asarray(cv2.remap(raster, at, None, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT), np.uint8)
 
-    front, back : (m, 2) float, its ends in pixels of the raster `inside`, 1 in the front face but for its outline
+
+def _interior(outlines: list[Ints], size: list[int], rim: int) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """The front face, rasterised: 0 outside, 1 within rim pixels of its outline, 2 deeper inside.
+
+    outlines : (n, 2) int32, pixels of the raster
+    size     : width and height of the raster
+
+    First with an outline that is 0 and 3 pixels wide, then with one as thin as can be.
     """
-    way = back - front
-    length = np.hypot(way[:, 0], way[:, 1])[:, None]
-    at = front[:, None] + 0.5 + _FINE[:, None] * way[:, None]
-    x, y = at[..., 0].astype(np.intp), at[..., 1].astype(np.intp)
-    met = inside.ravel().take(y * inside.shape[1] + x, mode="clip")
-    met[_FINE * length < AT_LEAST] = 0
-    return np.asarray(np.maximum.accumulate(met, axis=1)[:, _EVERY], np.uint8)
-
-
-def _interior(
-    vertices: Floats, stacked: Stack, low: Floats, high: Floats, factor: float, margin: float
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """The front face, rasterised: 0 outside, 1 within margin pixels of its outline, 2 deeper inside.
-
-    And once more, 1 inside, with an outline as thin as can be.
-    """
-    w, h = (((high - low) * factor).astype(int) + 1).tolist()
-    canvas = np.zeros((h, w), np.uint8)
-    pixels = ((vertices[: len(vertices) // 2] - low) * factor).round().astype(np.int32)
-    outlines = [pixels[a:b] for a, b in stacked.frame.spans]
+    filled = np.zeros(size[::-1], np.uint8)
     for k, outline in enumerate(outlines):
-        cv2.fillPoly(canvas, [outline], 0 if k else 2)
-    grazed = canvas // 2
-    cv2.polylines(grazed, outlines, True, 0, 1)
-    # the rim is 1, as wide as the margin, but for the outline itself
-    rim = np.zeros((h, w), np.uint8)
-    cv2.polylines(rim, outlines, True, 1, 2 * max(1, round(margin * factor)) + 1)
-    canvas -= np.minimum(canvas, rim)
-    cv2.polylines(canvas, outlines, True, 0, 3)
-    return canvas, grazed
+        cv2.fillPoly(filled, [outline], 0 if k else 2)
+    inside = filled.copy()
+    cv2.polylines(inside, outlines, True, 1, 2 * rim + 1)
+    cv2.min(inside, filled, dst=inside)
+    thin = inside.copy()
+    cv2.polylines(thin, outlines, True, 0, 1)
+    cv2.polylines(inside, outlines, True, 0, 3)
+    return inside, thin
