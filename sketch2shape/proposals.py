@@ -48,12 +48,13 @@ def propose(ink: Ink, detector: str) -> Floats:
     """
     if detector == "both":
         return np.concatenate([propose(ink, name) for name in DETECTORS[1:]])
-    box = cv2.boundingRect(ink.mask.astype(np.uint8))
+    box = cv2.boundingRect(ink.mask.view(np.uint8))
     if not box[2]:
         return np.zeros((0, 2))
     margin = int(2 * ink.pen_width) + 4
     x, y = max(box[0] - margin, 0), max(box[1] - margin, 0)
-    part: Any = (ink.strength * ink.mask)[y : box[1] + box[3] + margin, x : box[0] + box[2] + margin]
+    window = slice(y, box[1] + box[3] + margin), slice(x, box[0] + box[2] + margin)
+    part: Any = ink.strength[window] * ink.mask[window]
     scale = min(1.0, PEN / ink.pen_width)
     if scale < 1.0:
         part = cv2.resize(part, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
@@ -80,8 +81,12 @@ def vouched(ink: Ink, vertices: Floats, detector: str, noise: float) -> float:
     vertices : (k, 2) float, working pixels, those that are drawn
     noise    : working pixels by which they may be misplaced
     """
-    seen = near(vertices, propose(ink, detector), reach_of(ink, noise))
-    return min(1.0, float(seen.mean()) / ENOUGH) if len(seen) else 1.0
+    seen = np.zeros(len(vertices), bool)
+    for name in DETECTORS[1:] if detector == "both" else (detector,):
+        seen |= near(vertices, propose(ink, name), reach_of(ink, noise))
+        if seen.sum() >= ENOUGH * len(seen):
+            return 1.0
+    return float(seen.mean()) / ENOUGH
 
 
 def near(points: Floats, proposals: Floats, reach: float) -> Bools:
