@@ -296,8 +296,8 @@ def coverage(distance: NDArray[np.float32], a: Floats, b: Floats, reach: float, 
     Returns (k,) float in 0..1.
     """
     s = (np.arange(samples) + 0.5) / samples
-    p = a[:, None] + s[None, :, None] * (b - a)[:, None]
     h, w = distance.shape
-    x = np.clip(np.rint(p[..., 0]).astype(np.intp), 0, w - 1)
-    y = np.clip(np.rint(p[..., 1]).astype(np.intp), 0, h - 1)
-    return np.asarray((distance[y, x] <= reach).mean(axis=1))
+    x, y = (p[:, None] + s * (q - p)[:, None] for p, q in zip(a.T, b.T, strict=True))
+    x, y = np.clip(np.rint(x, out=x), 0, w - 1, out=x), np.clip(np.rint(y, out=y), 0, h - 1, out=y)
+    near = distance.ravel().take((y * w + x).astype(np.intp)) <= reach
+    return np.asarray(near.sum(axis=1) / samples)
