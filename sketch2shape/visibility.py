@@ -64,7 +64,8 @@ def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) ->
     vertices = (v - low[:, None]) * factor
     m = len(backs)
     outlines = np.rint(vertices[:, :m]).astype(np.int32)
-    rungs = (vertices[:, :m, None] + _FINE[:, None] * (vertices[:, m:] - vertices[:, :m])[:, :, None]).astype(np.float32)
+    rungs = vertices[:, :m, None] + _FINE[:, None] * (vertices[:, m:] - vertices[:, :m])[:, :, None]
+    rungs = rungs.astype(np.float32)
     rims = np.maximum(1, np.rint(margin * factor[:, 0, 0])).astype(int).tolist()
     sizes = (((high - low) * factor[:, 0]).astype(int) + 1).tolist()
     near = _FINE * np.hypot(*np.moveaxis(vertices[:, m:] - vertices[:, :m], -1, 0))[..., None] < AT_LEAST
