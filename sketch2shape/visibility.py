@@ -84,7 +84,9 @@ def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) ->
 
 def _looked_up(raster: NDArray[np.uint8], at: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Values of the raster at points (r, c, 2), (r, c); 0 outside."""
-    return np.asarray(cv2.remap(raster, at, None, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT), np.uint8)
+    # the second map may be None, whatever OpenCV's type hints say
+    seen = cv2.remap(raster, at, None, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT)  # type: ignore[call-overload]
+    return np.asarray(seen, np.uint8)
 
 
 def _interior(outlines: list[Ints], size: list[int], rim: int) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
