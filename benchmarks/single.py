@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from benchmarks import subjects
-from benchmarks.timing import Plot, Report, Table, exponent, in_turn, times
+from benchmarks.timing import Plot, Report, Table, exponent, in_turn, steepest, times
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.reconstruct import reconstruct
 
@@ -98,10 +98,15 @@ def growth(scratch: Path, quick: bool) -> Report:
             x.append(float(number))
             said.append(vertices(path))
         relative = [v / y[0] for v in y]
-        rows.append([label, f"{x[0]:g} to {x[-1]:g}", f"{exponent(x, y):.2f}", f"{goal:g}", ", ".join(said)])
+        slopes = [f"{slope(x, y):.2f}" for slope in (exponent, steepest)]
+        rows.append([label, f"{x[0]:g} to {x[-1]:g}", *slopes, f"{goal:g}", ", ".join(said)])
         plots.append(Plot(label.split()[0], label, f"time over that of {x[0]:g}", {"sketch2shape": (x, relative)}))
-    words = "Slope of the straight line through log time against log size; the vertices a face of what was found."
-    return Report([Table("Growth", words, ["against", "range", "exponent", "goal", "vertices found"], rows)], plots)
+    words = (
+        "Slope of the straight line through log time against log size, and the steepest slope from one size to the"
+        " next; the vertices a face of what was found."
+    )
+    head = ["against", "range", "exponent", "steepest", "goal", "vertices found"]
+    return Report([Table("Growth", words, head, rows)], plots)
 
 
 def hard(scratch: Path, _quick: bool) -> Report:

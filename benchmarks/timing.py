@@ -80,6 +80,11 @@ def exponent(x: Sequence[float], y: Sequence[float]) -> float:
     return float(np.polyfit(np.log(x), np.log(y), 1)[0])
 
 
+def steepest(x: Sequence[float], y: Sequence[float]) -> float:
+    """Largest slope between neighbours among (log x, log y)."""
+    return float((np.diff(np.log(y)) / np.diff(np.log(x))).max())
+
+
 def times(ratio: float) -> str:
     """A ratio as text."""
     return f"{ratio:.2f}" if ratio < 10 else f"{ratio:.0f}"

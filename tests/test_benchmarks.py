@@ -27,6 +27,8 @@ def module(name):
 def test_exponent_is_the_power_of_a_power_law():
     x = np.array([1.0, 2, 5, 10])
     assert module("timing").exponent(x, 3 * x**1.7) == pytest.approx(1.7)
+    assert module("timing").steepest(x, 3 * x**1.7) == pytest.approx(1.7)
+    assert module("timing").steepest(x, [1, 1, 25, 25]) > 3
 
 
 def test_calls_take_turns_and_the_first_round_is_not_counted():
