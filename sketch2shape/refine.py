@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,10 @@ from sketch2shape.strokes import fit_lines, project, thinned
 
 STEPS = 3
 MOST_POINTS = 1500
+CLAIM_AGAIN = 0.6
+"""Way of a vertex, as a part of the reach, after which edges look for their ink anew."""
+SETTLED = 0.25
+"""Pixels; no step follows one that moves no vertex by more."""
 MAP_STEP = 0.02
 """Misfit, as a part of the object's size, that justifies the next richer kind of plane map."""
 HOLD = 0.03
@@ -59,53 +64,78 @@ def refine(rings: Rings, points: Floats, reach: float, drawn: Bools, stiffness: 
     edges = frame(rings.sizes).edges
     start = v = rings.vertices
     points = points[thinned(len(points), MOST_POINTS)]
-    noise = 0.0
+    noise, strayed = 0.0, np.inf
     for step in range(STEPS):
-        lines = _measure(v, edges, points, reach if step == 0 else 0.7 * reach)
+        if strayed > CLAIM_AGAIN * reach:
+            claims, strayed = _claims(v, edges, points, (CLAIM_AGAIN + 0.7) * reach), 0.0
+        lines = _measure(v, edges, points, claims, reach if step == 0 else 0.7 * reach)
         noise = lines.noise
         moved = _solve(v, start, edges, lines, drawn, stiffness)
         # a seen vertex that runs away has lost its lines: keep it where verification found it
-        far = np.linalg.norm(moved - start, axis=1) > 3 * reach + 4
+        far = np.hypot(*(moved - start).T) > 3 * reach + 4
         far[len(drawn) :] &= drawn
         moved[far] = start[far]
-        v = moved
+        by = float(np.abs(moved - v).max())
+        v, strayed = moved, strayed + by
+        if by < SETTLED:
+            break
     return split(v, rings.sizes), noise
 
 
-def _measure(v: Floats, edges: Ints, points: Floats, reach: float) -> EdgeLines:
+class _Claims(NamedTuple):
+    """Which edges could claim which points: pairs in the order of the points."""
+
+    point: Ints
+    edge: Ints
+
+
+def _claims(v: Floats, edges: Ints, points: Floats, reach: float) -> _Claims:
+    """All points that lie beside an edge, no further than reach pixels off."""
+    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
+    along, across = project(points, a, span / length[:, None])
+    point, edge = np.divmod(np.flatnonzero((across <= reach) & (along > 0) & (along < length)), len(edges))
+    return _Claims(point, edge)
+
+
+def _measure(v: Floats, edges: Ints, points: Floats, claims: _Claims, reach: float) -> EdgeLines:
     """The line under every edge that has enough ink of its own."""
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
-    length = np.linalg.norm(span, axis=1) + 1e-9
+    length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
     u = span / length[:, None]
-    along, across = project(points, a, u)
+    point, edge = claims
+    to, way = points[point] - a[edge], u[edge]
+    along = to[:, 0] * way[:, 0] + to[:, 1] * way[:, 1]
+    across = np.abs(to[:, 0] * way[:, 1] - to[:, 1] * way[:, 0])
     end = np.minimum(1.5 * reach, 0.2 * length)
-    inside = (along > end) & (along < length - end) & (across <= reach)
+    inside = np.flatnonzero((across <= reach) & (along > end[edge]) & (along < (length - end)[edge]))
+    point, edge, across = point[inside], edge[inside], across[inside]
     # ink that two nearly parallel edges could claim tells nothing about either; at a crossing it does no harm
-    shared = np.flatnonzero(inside.sum(axis=1) > 1)
-    if len(shared):
-        nearest = np.where(inside[shared], across[shared], np.inf).argmin(axis=1)
-        inside[shared] = False
-        inside[shared, nearest] = True
-    count = inside.sum(axis=0)
+    nearest = np.full(len(points), np.inf)
+    np.minimum.at(nearest, point, across)
+    own = across <= nearest[point]
+    point, edge = point[own], edge[own]
+    count = np.bincount(edge, minlength=len(edges))
     # skeleton pixels per pixel of length, as the points may have been thinned out
     density = min(1.0, 1.5 * len(points) / float(length.sum()))
-    rich = np.flatnonzero(count >= np.maximum(4.0, 0.2 * length * density))
-    if not len(rich):
-        none = np.zeros(0)
-        return EdgeLines(rich, np.zeros((0, 2)), none, none, none)
-    centre, direction, spread = _lines_through(points, inside[:, rich])
-    ok = np.abs((direction * u[rich]).sum(axis=1)) >= 0.9
-    e = rich[ok]
-    normal = np.stack([-direction[ok, 1], direction[ok, 0]], axis=1)
-    offset = (normal * centre[ok]).sum(axis=1)
-    return EdgeLines(e, normal, offset, np.minimum(1.0, count[e] / 20), spread[ok])
+    rich = count >= np.maximum(4.0, 0.2 * length * density)
+    centre, direction, spread = _lines_through(points[point], edge, len(edges))
+    e = np.flatnonzero(rich & (np.abs((direction * u).sum(axis=1)) >= 0.9))
+    normal = np.stack([-direction[e, 1], direction[e, 0]], axis=1)
+    offset = (normal * centre[e]).sum(axis=1)
+    return EdgeLines(e, normal, offset, np.minimum(1.0, count[e] / 20), spread[e])
 
 
-def _lines_through(points: Floats, members: Bools) -> tuple[Floats, Floats, Floats]:
-    """Total-least-squares line of each column's points: centre (m, 2), direction (m, 2), rms distance (m,)."""
-    origin = points.mean(axis=0)
+def _lines_through(points: Floats, edge: Ints, count: int) -> tuple[Floats, Floats, Floats]:
+    """Total-least-squares line of each edge's points: centre (m, 2), direction (m, 2), rms distance (m,), pixels.
+
+    points, edge : (k, 2) and (k,), each point and the edge it belongs to, of `count` edges
+    """
+    origin = points.sum(axis=0) / max(len(points), 1)
     x, y = (points - origin).T
-    sums = members.T.astype(float) @ np.stack([np.ones(len(x)), x, y, x * x, y * y, x * y], axis=1)
+    weights = (np.ones(len(x)), x, y, x * x, y * y, x * y)
+    sums = np.stack([np.bincount(edge, w, count) for w in weights], axis=1)
+    sums[:, 0] = np.maximum(sums[:, 0], 1.0)
     centre, direction, spread = fit_lines(sums)
     return centre + origin, direction, spread
 
@@ -140,12 +170,20 @@ def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools
 
 def _fits(src: Floats, dst: Floats) -> Iterator[tuple[Floats, float]]:
     """Ever richer plane maps from points to points, each with its rms misfit in pixels."""
-    fits = (lambda p, q: homology.translation((q - p).mean(axis=0)), homology.similarity, homology.homology)
-    for least, fit in enumerate(fits, start=1):
-        if len(src) >= least:
-            h = fit(src, dst)
-            off = homology.apply(h, src) - dst
-            yield h, float(np.sqrt((off * off).sum() / len(off)))
+    n = len(src)
+    p, q = src.sum(axis=0) / n, dst.sum(axis=0) / n
+    a, b = src - p, dst - q
+    for s in (1.0, max(float(np.vdot(a, b) / (np.vdot(a, a) + 1e-12)), 1e-3))[: min(n, 2)]:
+        x, y = q - s * p
+        yield np.array([[s, 0.0, x], [0.0, s, y], [0.0, 0.0, 1.0]]), _rms(b - s * a)
+    if n > 2:
+        h = homology.homology(src, dst)
+        yield h, _rms(homology.apply(h, src) - dst)
+
+
+def _rms(off: Floats) -> float:
+    """Of vectors (k, 2)."""
+    return float(np.sqrt(np.vdot(off, off) / len(off)))
 
 
 def plane_map(front: Floats, back: Floats, drawn: Bools, tolerance: float | None = None) -> Floats:
@@ -153,17 +191,22 @@ def plane_map(front: Floats, back: Floats, drawn: Bools, tolerance: float | None
 
     A richer kind of map must earn its place: it has to fit clearly better than the simpler one.
     """
-    seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
-    size = float(np.linalg.norm(np.ptp(np.concatenate([front, back]), axis=0)))
-    limit = 0.006 * size + 1.0 if tolerance is None else tolerance
+    seen = drawn if np.count_nonzero(drawn) >= 2 else np.ones(len(front), bool)
+    limit = 0.006 * _extent(front, back) + 1.0 if tolerance is None else tolerance
     best, least = np.eye(3), np.inf
     for fit, off in _fits(front[seen], back[seen]):
-        if np.isfinite(homology.apply(fit, front)).all():
+        # only the richest kind can send a vertex to infinity
+        if off < least and (not fit[2, :2].any() or np.isfinite(homology.apply(fit, front)).all()):
+            best, least = fit, off
             if off <= limit:
-                return fit
-            if off < least:
-                best, least = fit, off
+                break
     return best
+
+
+def _extent(front: Floats, back: Floats) -> float:
+    """Diagonal of the bounding box of both faces, pixels."""
+    low, high = np.minimum(front.min(axis=0), back.min(axis=0)), np.maximum(front.max(axis=0), back.max(axis=0))
+    return float(np.hypot(*(high - low)))
 
 
 def on_map(rings: Rings, drawn: Bools, least: float) -> list[Rings]:
@@ -202,7 +245,7 @@ def _misses(front: Floats, back: Floats, drawn: Bools) -> Floats:
 def map_cost(front: Floats, back: Floats, drawn: Bools) -> float:
     """How elaborate the plane map is: 0 for an exact translation, growing with degrees of freedom and misfit."""
     seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
-    size = float(np.linalg.norm(np.ptp(np.concatenate([front, back]), axis=0))) + 1e-9
+    size = _extent(front, back) + 1e-9
     least = np.inf
     for k, (_, off) in enumerate(_fits(front[seen], back[seen])):
         if k * MAP_STEP >= least:
