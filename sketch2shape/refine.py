@@ -134,7 +134,7 @@ def _lines_through(points: Floats, edge: Ints, count: int) -> tuple[Floats, Floa
     origin = points.sum(axis=0) / max(len(points), 1)
     x, y = (points - origin).T
     weights = (np.ones(len(x)), x, y, x * x, y * y, x * y)
-    sums = np.stack([np.bincount(edge, w, count) for w in weights], axis=1)
+    sums = np.stack([np.bincount(edge, w, count) for w in weights], axis=1).astype(float)
     sums[:, 0] = np.maximum(sums[:, 0], 1.0)
     centre, direction, spread = fit_lines(sums)
     return centre + origin, direction, spread

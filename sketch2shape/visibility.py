@@ -64,11 +64,11 @@ def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) ->
     vertices = (v - low[:, None]) * factor
     m = len(backs)
     outlines = np.rint(vertices[:, :m]).astype(np.int32)
-    deep = vertices[:, m:] - vertices[:, :m]
-    rungs = (vertices[:, :m, None] + _FINE[:, None] * deep[:, :, None]).astype(np.float32)
+    rungs = vertices[:, :m, None] + _FINE[:, None] * (vertices[:, m:] - vertices[:, :m])[:, :, None]
+    rungs = rungs.astype(np.float32)
     rims = np.maximum(1, np.rint(margin * factor[:, 0, 0])).astype(int).tolist()
     sizes = (((high - low) * factor[:, 0]).astype(int) + 1).tolist()
-    near = _FINE * np.hypot(deep[..., 0], deep[..., 1])[..., None] < AT_LEAST
+    near = _FINE * np.hypot(*np.moveaxis(vertices[:, m:] - vertices[:, :m], -1, 0))[..., None] < AT_LEAST
     depth = np.zeros(points.shape[:3], np.uint8)
     met = np.empty((len(v), m, SAMPLES * FINE), np.uint8)
     for k, outline in enumerate(outlines):
@@ -84,8 +84,9 @@ def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) ->
 
 def _looked_up(raster: NDArray[np.uint8], at: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Values of the raster at points (r, c, 2), (r, c); 0 outside."""
-    found = cv2.remap(raster, at, np.zeros(0), cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT)
-    return np.asarray(found, np.uint8)
+    # the second map may be None, whatever OpenCV's type hints say
+    seen = cv2.remap(raster, at, None, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT)  # type: ignore[call-overload]
+    return np.asarray(seen, np.uint8)
 
 
 def _interior(outlines: list[Ints], size: list[int], rim: int) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
