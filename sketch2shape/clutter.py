@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from sketch2shape.levels import percentile
 from sketch2shape.model import Bools, Floats, Gray, Ints
 from sketch2shape.pen import rough_pen_width
-from sketch2shape.pieces import connected_pieces
+from sketch2shape.pieces import Pieces, connected_pieces
 
 SMALL = 0.14
 """Components up to this share of the largest one's diagonal are looked at."""
@@ -81,39 +81,31 @@ def without_clutter(mask: Bools, contrast: Gray, *, noisy: bool = False) -> Bool
     small[0] = False
     if not small.any():
         return mask
-    labels = pieces.label
-    where = np.flatnonzero(mask)
-    label_of = labels.ravel()[where]
     chosen = np.flatnonzero(small)
-    chosen = chosen[np.argsort(-np.bincount(label_of)[chosen], kind="stable")[:MOST]]
-    large = _only(mask, where[~small[label_of]])
+    chosen = chosen[np.argsort(-np.bincount(pieces.piece)[chosen], kind="stable")[:MOST]]
+    large = pieces.only(~small)
     pen_width = rough_pen_width(large)
-    parts = _measure(where, label_of, chosen, contrast)
+    parts = _measure(pieces, chosen, contrast)
     if noisy:
-        usual = float(np.percentile(contrast[large], 75))
+        usual = percentile(contrast[large], 75)
         parts = parts.only((parts.peak > FAINT * usual) | (parts.length > 2.5 * pen_width))
     keep = ~small
-    keep[parts.labels] = _belongs(parts, labels, large, pen_width, LETTER * largest, noisy)
-    return _only(mask, where[keep[label_of]])
+    keep[parts.labels] = _belongs(parts, pieces, large, pen_width, LETTER * largest, noisy)
+    return pieces.only(keep)
 
 
-def _only(mask: Bools, where: Ints) -> Bools:
-    """A mask of the same shape, set at some places, given as they lie one row after the other."""
-    result = np.zeros(mask.size, np.bool_)
-    result[where] = True
-    return result.reshape(mask.shape)
-
-
-def _measure(where: Ints, label_of: NDArray[np.int32], chosen: Ints, contrast: Gray) -> Parts:
-    """Moments of the chosen components; a stroke of length l and width w has variances l^2 / 12 and w^2 / 12.
-
-    where, label_of : (m,) places of all ink in the raveled picture, and the component each belongs to
-    """
-    index = np.full(int(label_of.max()) + 1, -1)
+def _pixels(pieces: Pieces, chosen: Ints) -> tuple[Ints, Ints, Ints]:
+    """Row and column of the pixels of the chosen components, and which of these each belongs to, from 0; (m,) each."""
+    index = np.full(len(pieces.low), -1)
     index[chosen] = np.arange(len(chosen))
-    which = index[label_of]
-    where, which = where[which >= 0], which[which >= 0]
-    ys, xs = np.divmod(where, contrast.shape[1])
+    which = index[pieces.piece]
+    ys, xs = np.divmod(pieces.where[which >= 0], pieces.mask.shape[1])
+    return ys, xs, which[which >= 0]
+
+
+def _measure(pieces: Pieces, chosen: Ints, contrast: Gray) -> Parts:
+    """Moments of the chosen components; a stroke of length l and width w has variances l^2 / 12 and w^2 / 12."""
+    ys, xs, which = _pixels(pieces, chosen)
     area = np.bincount(which, minlength=len(chosen)).astype(np.float64)
 
     def mean(values: Floats) -> Floats:
@@ -137,12 +129,10 @@ def _measure(where: Ints, label_of: NDArray[np.int32], chosen: Ints, contrast: G
     )
 
 
-def _belongs(
-    parts: Parts, labels: NDArray[np.int32], large: Bools, pen_width: float, letter: float, noisy: bool
-) -> Bools:
+def _belongs(parts: Parts, pieces: Pieces, large: Bools, pen_width: float, letter: float, noisy: bool) -> Bools:
     """(n,) whether each small component is part of a line or too large to be a letter."""
     dash = parts.are_dashes(pen_width)
-    near_large = cv2.dilate(large.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    near_large = _grown(large, 3)
     sides = [_ahead(parts, dash, pen_width, sign) & dash[:, None] for sign in (-1.0, 1.0)]
     met = [_reaches(parts, near_large, pen_width, sign) for sign in (-1.0, 1.0)]
     ahead = sides[0] | sides[1]
@@ -159,27 +149,25 @@ def _belongs(
     pointed = (pointed_at >= 2) | ((dot | parts.is_disc) & (pointed_at >= 1))
     joined = (linked | pointed) & ~_in_words(parts, dash | dot | pointed)
     if noisy:
-        joined |= _nearly_joined(parts, labels, large, pen_width)
-    rings = _rings(parts, labels, large, 0.5 * letter)
+        joined |= _nearly_joined(parts, pieces, large, pen_width)
+    rings = _rings(parts, pieces, large, 0.5 * letter)
     return np.asarray(
         joined | in_row | rings | _vertex_dots(parts, pen_width) | (parts.length > letter), dtype=np.bool_
     )
 
 
-def _nearly_joined(parts: Parts, labels: NDArray[np.int32], large: Bools, pen_width: float) -> Bools:
+def _grown(mask: Bools, side: int) -> Bools:
+    return np.asarray(cv2.dilate(mask.view(np.uint8), np.ones((side, side), np.uint8)), np.uint8).view(np.bool_)
+
+
+def _nearly_joined(parts: Parts, pieces: Pieces, large: Bools, pen_width: float) -> Bools:
     """(n,) longer than a few widths, and all but touching the drawing at places far apart: a stroke with weak spots."""
-    side = 2 * int(pen_width + 2.0) + 1
-    close = cv2.dilate(large.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
-    index = np.full(int(labels.max()) + 1, -1)
-    index[parts.labels] = np.arange(len(parts.labels))
-    index[0] = -1
-    where = np.flatnonzero(close & (labels > 0) & ~large)
-    which = index[labels.ravel()[where]]
-    ys, xs = np.divmod(where, labels.shape[1])
-    points = np.stack([xs, ys], axis=1)[which >= 0]
+    ys, xs, which = _pixels(pieces, parts.labels)
+    close = _grown(large, 2 * int(pen_width + 2.0) + 1)[ys, xs]
+    points = np.stack([xs, ys], axis=1)[close]
     low, high = np.full((len(parts.labels), 2), np.inf), np.full((len(parts.labels), 2), -np.inf)
-    np.minimum.at(low, which[which >= 0], points)
-    np.maximum.at(high, which[which >= 0], points)
+    np.minimum.at(low, which[close], points)
+    np.maximum.at(high, which[close], points)
     span = np.linalg.norm(np.maximum(high - low, 0.0), axis=1)
     return np.asarray((span > 0.5 * parts.length) & (parts.length > 4.0 * pen_width), dtype=np.bool_)
 
@@ -194,20 +182,21 @@ def _in_words(parts: Parts, plain: Bools) -> Bools:
     return np.asarray(letters.sum(axis=1) >= 2, dtype=np.bool_)
 
 
-def _rings(parts: Parts, labels: NDArray[np.int32], large: Bools, least: float) -> Bools:
+def _rings(parts: Parts, pieces: Pieces, large: Bools, least: float) -> Bools:
     """(n,) a closed outline within the drawing that is mostly hollow: a small hole, though an O or D passes for one."""
     result = np.zeros(len(parts.area), dtype=np.bool_)
     candidates = np.flatnonzero((parts.length > least) & (parts.area < 0.5 * parts.length * parts.width))
     if len(candidates) == 0:
         return result
-    hull = cv2.convexHull(cv2.findNonZero(large.astype(np.uint8)))
+    hull = cv2.convexHull(cv2.findNonZero(large.view(np.uint8)))
+    ys, xs, which = _pixels(pieces, parts.labels)
     for i in candidates:
         x, y = parts.centre[i]
         if cv2.pointPolygonTest(hull, (float(x), float(y)), False) <= 0:
             continue
-        reach = int(parts.length[i])
-        top, left = max(0, int(y) - reach), max(0, int(x) - reach)
-        part = np.asarray(labels[top : int(y) + reach + 1, left : int(x) + reach + 1] == parts.labels[i], np.uint8)
+        (left, top), (right, bottom) = pieces.low[parts.labels[i]], pieces.high[parts.labels[i]]
+        part = np.zeros((bottom - top + 1, right - left + 1), np.uint8)
+        part[ys[which == i] - top, xs[which == i] - left] = 1
         contours, _ = cv2.findContours(part, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
         filled = np.count_nonzero(cv2.drawContours(np.zeros_like(part), contours, -1, 1, cv2.FILLED))
         result[i] = parts.area[i] < HOLLOW * filled

@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.levels import above, percentile
 from sketch2shape.model import Gray, as_gray
 from sketch2shape.pen import rough_pen_width
 
@@ -53,17 +54,18 @@ def without_stains(contrast: Gray, floor: float, diagonal: float) -> Gray:
 
     The arguments are those of `without_fills`; returns `contrast` itself where there is no such area.
     """
-    inked = contrast[contrast > floor]
-    if not len(inked):
+    soft = as_gray(cv2.blur(contrast, (5, 5)))
+    if not _may_be_wide(soft, _box(NARROW * diagonal), floor):
         return contrast
-    darkest = float(np.percentile(inked, 95))
-    pen_width = rough_pen_width(np.asarray(contrast > 0.4 * darkest))
+    darkest = percentile(contrast[above(contrast, floor)], 95)
+    pen_width = rough_pen_width(above(contrast, 0.4 * darkest))
     box = _box(max(NARROW * diagonal, 5.0 * pen_width))
-    wide = as_gray(cv2.morphologyEx(as_gray(cv2.blur(contrast, (5, 5))), cv2.MORPH_OPEN, box))
+    wide = as_gray(cv2.morphologyEx(soft, cv2.MORPH_OPEN, box))
     if int(wide.max()) <= floor:
         return contrast
-    count, area = cv2.connectedComponents(as_gray(wide > 0.5 * floor), connectivity=4)
-    pale = np.bincount(area[wide > PALE * darkest], minlength=count) == 0  # an area that is dark in part is a fill
+    count, area = cv2.connectedComponents(above(wide, 0.5 * floor).view(np.uint8), connectivity=4)
+    dark = above(wide, PALE * darkest)
+    pale = np.bincount(area[dark], minlength=count) == 0  # an area that is dark in part is a fill
     stain = np.where(pale[area], wide, np.uint8(0))
     return as_gray(cv2.subtract(contrast, as_gray(cv2.convertScaleAbs(stain, alpha=GRAIN))))
 
@@ -73,13 +75,17 @@ def _box(size: float) -> Gray:
     return np.ones((side, side), np.uint8)
 
 
+def _may_be_wide(contrast: Gray, box: Gray, floor: float) -> bool:
+    """Whether a box may fit into what is above the floor: every fourth pixel of it would be so too."""
+    return int(cv2.erode(contrast[::4, ::4], np.ones((len(box) // 4,) * 2, np.uint8)).max()) > floor
+
+
 def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool_]:
     """(h, w) centres of large boxes that fit into the ink, except in blots: thick corners, arrow heads, vertex dots."""
     box = _box(WIDE * diagonal)
-    # every fourth pixel of such a box would be ink too: seen in a sixteenth of the time
-    if not (cv2.erode(contrast[::4, ::4], np.ones((len(box) // 4,) * 2, np.uint8)) > floor).any():
+    if not _may_be_wide(contrast, box, floor):
         return np.zeros(contrast.shape, np.bool_)
-    core = np.asarray(cv2.erode(contrast, box) > floor, dtype=np.uint8)
+    core = above(as_gray(cv2.erode(contrast, box)), floor).view(np.uint8)
     if not core.any():
         return core > 0
     _, labels, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
@@ -92,10 +98,10 @@ def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool
 
 def _are_thick_strokes(contrast: Gray, core: NDArray[np.bool_]) -> bool:
     """All wide ink is as dark as the rest and encloses two faces or more, or is long for its width."""
-    darkest = float(np.percentile(contrast[contrast > int(contrast.max()) // 4], 90))
-    if float(np.percentile(contrast[core], 20)) < PALER * darkest:
+    darkest = percentile(contrast[above(contrast, int(contrast.max()) // 4)], 90)
+    if percentile(contrast[core], 20) < PALER * darkest:
         return False
-    solid = np.asarray(contrast > 0.5 * darkest, dtype=np.uint8)
+    solid = above(contrast, 0.5 * darkest).view(np.uint8)
     _, labels, stats, _ = cv2.connectedComponentsWithStats(solid, connectivity=8)
     distance = cv2.distanceTransform(solid, cv2.DIST_L2, cv2.DIST_MASK_5)
     for label in np.unique(labels[core]):
@@ -117,7 +123,7 @@ def _holes(part: Gray) -> int:
 def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: float) -> Gray:
     """The contrast of the fills alone, grown back into their sharp corners as far as the opening can have cut them."""
     opened = as_gray(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
-    _, labels = cv2.connectedComponents(np.asarray(opened > floor, dtype=np.uint8), connectivity=4)
+    _, labels = cv2.connectedComponents(above(opened, floor).view(np.uint8), connectivity=4)
     filled = np.zeros(int(labels.max()) + 1, np.bool_)
     filled[labels[core]] = True
     level = np.where(filled[labels], opened, np.uint8(0))

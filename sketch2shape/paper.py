@@ -10,7 +10,7 @@ import itertools
 import cv2
 import numpy as np
 
-from sketch2shape.levels import counts_of
+from sketch2shape.levels import above, counts_of
 from sketch2shape.model import Bools, Floats, Gray
 from sketch2shape.pen import rough_pen_width
 
@@ -134,9 +134,9 @@ def without_bands(contrast: Gray, floor: float) -> Gray:
     returns  : (h, w); `contrast` itself where there are none
     """
     rims = (contrast[0], contrast[-1], contrast[:, 0], contrast[:, -1])
-    if not any(np.count_nonzero(rim > floor) > SOLID * len(rim) for rim in rims):
+    if not any(np.count_nonzero(above(rim, floor)) > SOLID * len(rim) for rim in rims):
         return contrast
-    solid = np.asarray(contrast > floor)
+    solid = above(contrast, floor)
     rows, columns = solid.mean(axis=1) > SOLID, solid.mean(axis=0) > SOLID
     ends = [_leading(v) for v in (rows, rows[::-1], columns, columns[::-1])]
     least = max(8, max(contrast.shape) // 100)
@@ -144,7 +144,7 @@ def without_bands(contrast: Gray, floor: float) -> Gray:
         return contrast
     h, w = contrast.shape
     inner = contrast[ends[0] : h - ends[1], ends[2] : w - ends[3]]
-    least = max(least, int(2.2 * rough_pen_width(np.asarray(inner > max(floor, 0.5 * float(inner.max()))))))
+    least = max(least, int(2.2 * rough_pen_width(above(inner, max(floor, 0.5 * float(inner.max()))))))
     top, bottom, left, right = (n + 3 if n >= least else 0 for n in ends)  # else it is a stroke along the frame
     result = np.zeros_like(contrast)
     result[top : h - bottom, left : w - right] = contrast[top : h - bottom, left : w - right]

@@ -36,4 +36,7 @@ def rough_pen_width(mask: Bools) -> float:
 
 def outline_length(mask: Bools) -> int:
     """Pixel edges between what is set and what is not."""
-    return int(np.count_nonzero(mask[1:] != mask[:-1])) + int(np.count_nonzero(mask[:, 1:] != mask[:, :-1]))
+    row = mask.shape[1]
+    flat = mask.ravel()  # unbroken runs compare several times as fast as rows; less the edges from row to row
+    edges = np.count_nonzero(flat[row:] != flat[:-row]) + np.count_nonzero(flat[1:] != flat[:-1])
+    return int(edges) - int(np.count_nonzero(mask[1:, 0] != mask[:-1, -1]))

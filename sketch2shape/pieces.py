@@ -10,14 +10,14 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Floats, Ints
+from sketch2shape.model import Bools, Floats, Ints
 
 
 @dataclass(frozen=True)
 class Pieces:
     """Connected pieces of a mask, diagonal neighbours included.
 
-    mask      : (h, w) uint8
+    mask      : (h, w) uint8, 0 or 1
     low, high : (n + 1, 2) x and y of the first and the last pixel of each; row 0 means nothing
     outlines  : n times (k, 1, 2) int32, the turning points of the outline of each, without its holes
     """
@@ -35,18 +35,29 @@ class Pieces:
         return np.asarray(np.hypot(size[:, 0], size[:, 1]), dtype=np.float64)
 
     @cached_property
-    def label(self) -> NDArray[np.int32]:
-        """(h, w), 0 off the mask, 1 to n on its pieces."""
+    def where(self) -> Ints:
+        """(m,) all pixels of the mask, counted row by row."""
+        return np.flatnonzero(self.mask.view(np.bool_))
+
+    @cached_property
+    def piece(self) -> Ints:
+        """(m,) the piece, 1 to n, that each of `where` belongs to."""
         count, label = cv2.connectedComponents(self.mask, connectivity=8)
-        name = np.zeros(count, np.int32)
+        name = np.zeros(count, np.intp)
         x, y = self.first.T
         name[label[y, x]] = np.arange(1, count)
-        return np.asarray(name.take(np.asarray(label)), np.int32)
+        return name.take(np.asarray(label).ravel().take(self.where))
 
     @property
     def first(self) -> Ints:
         """(n, 2) x and y of one pixel of each."""
         return np.array([outline[0, 0] for outline in self.outlines], np.intp).reshape(-1, 2)
+
+    def only(self, some: Bools) -> Bools:
+        """(h, w) map of some of the pieces, given as (n + 1,)."""
+        result = np.zeros(self.mask.size, np.bool_)
+        result[self.where[some[self.piece]]] = True
+        return result.reshape(self.mask.shape)
 
 
 def connected_pieces(mask: NDArray[np.uint8]) -> Pieces:

@@ -72,7 +72,7 @@ def _mark(corner: Any, pen: int) -> None:
     """Draw a right angle with the same pen: what a corner is worth, in drawings that have none."""
     size = corner.shape[0]
     ends = np.array([[size // 2, size - 6], [size // 2, size // 2], [size - 6, size // 2]], np.int32)
-    cv2.polylines(corner, [ends], False, 1.0, pen, cv2.LINE_AA)
+    cv2.polylines(corner, [ends], False, 255, pen, cv2.LINE_AA)
 
 
 def vouched(ink: Ink, vertices: Floats, detector: str, noise: float) -> float:

@@ -110,13 +110,11 @@ def _cut(ink: Ink, corner: Floats, pieces: Pieces, mine: Bools, box: tuple[int, 
     mine[0] = False
     large = mine & (pieces.extent >= CLUTTER * size)
     frame = (slice(y0 - MARGIN, y1 + MARGIN), slice(x0 - MARGIN, x1 + MARGIN))
-    mask, solid = (_pixels_of(pieces, some, frame) for some in (mine, large))
+    mask, solid = (_pixels_of(pieces, some)[frame] for some in (mine, large))
     own = replace(ink, mask=mask, strength=ink.strength[frame])
     return Group(own, corner + [x0 - MARGIN, y0 - MARGIN], solid, size)
 
 
-def _pixels_of(pieces: Pieces, some: Bools, frame: tuple[slice, slice]) -> Bools:
+def _pixels_of(pieces: Pieces, some: Bools) -> Bools:
     """Map of some of the pieces."""
-    if some[1:].all():
-        return pieces.mask[frame].view(np.bool_)
-    return some.take(pieces.label[frame])
+    return pieces.mask.view(np.bool_) if some[1:].all() else pieces.only(some)

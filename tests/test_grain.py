@@ -65,7 +65,7 @@ def ragged() -> np.ndarray:
 
 
 def branches(mask: np.ndarray) -> int:
-    return len(thin(Ink(mask, mask.astype(np.float32), 5.0)).paths)
+    return len(thin(Ink(mask, mask * np.uint8(255), 5.0)).paths)
 
 
 def test_chalk_has_few_branches_without_burrs() -> None:
