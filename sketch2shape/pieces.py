@@ -46,7 +46,7 @@ class Pieces:
         name = np.zeros(count, np.intp)
         x, y = self.first.T
         name[label[y, x]] = np.arange(1, count)
-        return name.take(np.asarray(label).ravel().take(self.where))
+        return np.asarray(name[np.asarray(label).ravel().take(self.where)], np.intp)
 
     @property
     def first(self) -> Ints:
