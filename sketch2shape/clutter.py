@@ -133,13 +133,13 @@ def _belongs(parts: Parts, pieces: Pieces, large: Bools, pen_width: float, lette
     """(n,) whether each small component is part of a line or too large to be a letter."""
     dash = parts.are_dashes(pen_width)
     near_large = _grown(large, 3)
-    sides = [_ahead(parts, dash, pen_width, sign) & dash[:, None] for sign in (-1.0, 1.0)]
-    met = [_reaches(parts, near_large, pen_width, sign) for sign in (-1.0, 1.0)]
-    ahead = sides[0] | sides[1]
+    sides: Bools = _ahead(parts, dash, pen_width)
+    met = _reaches(parts, near_large, pen_width)
+    ahead = sides.any(axis=0)
     paired = (ahead & ahead.T).any(axis=1)
-    between = (sides[0].any(axis=1) | met[0]) & (sides[1].any(axis=1) | met[1])
+    between = np.all(sides.any(axis=2) | met, axis=0)
     long = parts.length > 4.0 * np.maximum(parts.width, pen_width)
-    linked = dash & (paired | between | (long & (met[0] | met[1])))
+    linked = dash & (paired | between | (long & np.any(met, axis=0)))
     pointed_at = (ahead & linked[:, None]).sum(axis=0)
     full = parts.area > 0.7 * parts.length * parts.width  # an o or n is not
     dot = full & (parts.length < 3.0 * pen_width + 2.0) & (parts.area > 0.15 * pen_width**2)
@@ -210,53 +210,62 @@ def _vertex_dots(parts: Parts, pen_width: float) -> Bools:
     return np.asarray(disc & ((equal & disc[None, :]).sum(axis=1) >= 4), dtype=np.bool_)
 
 
-def _ahead(parts: Parts, dash: Bools, pen_width: float, sign: float) -> Bools:
-    """(n, n) True where j lies straight ahead of i on one side of it, at most a few of i's lengths away."""
-    offset = parts.centre[None, :, :] - parts.centre[:, None, :]
-    along = sign * np.einsum("ijk,ik->ij", offset, parts.axis)
-    across = np.abs(offset[..., 1] * parts.axis[:, None, 0] - offset[..., 0] * parts.axis[:, None, 1])
-    gap = along - 0.5 * (parts.length[:, None] + parts.length[None, :])
-    reach = np.maximum(2.5 * parts.length, 5.0 * pen_width)[:, None]
-    sway = 0.7 * pen_width + 0.5 + 0.12 * along + np.where(dash, 0.0, 0.5 * parts.length)[None, :]
-    similar = dash[None, :] <= (parts.width[None, :] < 2.5 * parts.width[:, None] + pen_width)
-    alike = dash[None, :] & (np.abs(np.log(parts.length[None, :] / parts.length[:, None])) < 1.0)
-    wobbly = alike & (gap < 1.3 * parts.length[:, None]) & (across < 0.3 * along)
-    near = (along > 0) & (gap > -0.6 * parts.length[None, :]) & (gap < reach) & ((across < sway) | wobbly)
+def _ahead(parts: Parts, dash: Bools, pen_width: float) -> Bools:
+    """(2, n, n) True where j lies ahead of a dash i on either side of it, at most a few of its lengths away."""
+    length, (x, y), (u, v) = parts.length, parts.centre.T, parts.axis.T
+    dx, dy = x - x[:, None], y - y[:, None]
+    forward = dx * u[:, None] + dy * v[:, None]
+    along = np.stack([-forward, forward])
+    across = np.abs(dy * u[:, None] - dx * v[:, None])
+    gap = along - 0.5 * (length[:, None] + length)
+    reach = np.maximum(2.5 * length, 5.0 * pen_width)[:, None]
+    sway = 0.12 * along + (0.7 * pen_width + 0.5 + np.where(dash, 0.0, 0.5 * length))
+    similar = dash <= (parts.width < 2.5 * parts.width[:, None] + pen_width)
+    size = np.log(length)
+    alike = dash & (np.abs(size - size[:, None]) < 1.0)
+    wobbly = alike & (gap < 1.3 * length[:, None]) & (across < 0.3 * along)
+    near = dash[:, None] & (along > 0) & (gap > -0.6 * length) & (gap < reach) & ((across < sway) | wobbly)
     return np.asarray(near & similar, dtype=np.bool_)
 
 
-def _reaches(parts: Parts, near_large: Bools, pen_width: float, sign: float) -> Bools:
-    """(n,) a large component lies straight ahead on one side, at most about a length away."""
-    steps = np.linspace(0.0, 1.0, 16)
+def _reaches(parts: Parts, near_large: Bools, pen_width: float) -> Bools:
+    """(2, n) a large component lies straight ahead on either side, at most about a length away."""
     reach = np.maximum(1.6 * parts.length, 4.0 * pen_width)[:, None]
-    distance = 0.5 * parts.length[:, None] + 1.0 + steps[None, :] * reach
-    points = parts.centre[:, None, :] + sign * distance[..., None] * parts.axis[:, None, :]
-    return np.asarray(_hit(near_large, points).any(axis=1), dtype=np.bool_)
+    distance = 0.5 * parts.length[:, None] + 1.0 + np.linspace(0.0, 1.0, 16) * reach
+    way = distance[..., None] * parts.axis[:, None]
+    return np.asarray(_hit(near_large, parts.centre[:, None] + np.stack([-way, way])).any(axis=2), dtype=np.bool_)
 
 
 def _hit(mask: Bools, points: Floats) -> Bools:
     """(...) whether the mask is set at points (..., 2); outside of the picture it is not."""
     h, w = mask.shape
-    xs, ys = np.round(points[..., 0]).astype(int), np.round(points[..., 1]).astype(int)
+    xs, ys = np.rint(points[..., 0]), np.rint(points[..., 1])
     inside = (xs >= 0) & (xs < w) & (ys >= 0) & (ys < h)
-    return np.asarray(inside & mask[np.clip(ys, 0, h - 1), np.clip(xs, 0, w - 1)], dtype=np.bool_)
+    return np.asarray(inside & mask.ravel().take(np.where(inside, ys * w + xs, 0.0).astype(np.intp)), dtype=np.bool_)
 
 
 def _in_row(parts: Parts, dot: Bools, near_large: Bools, pen_width: float) -> Bools:
     """(n,) the dot lies in a row: two alike dots, and beyond either one the next dot or the drawing itself."""
-    n = len(parts.area)
-    offset = parts.centre[None, :, :] - parts.centre[:, None, :]
-    distance = np.hypot(offset[..., 0], offset[..., 1])
-    alike = parts.area[None, :] < 3.0 * parts.area[:, None]
-    gap = 3.5 * parts.length[:, None] + 1.5 * pen_width + 2.0
-    near = alike & alike.T & (distance > 0) & (distance < gap) & dot[:, None] & dot[None, :]
+    result = np.zeros(len(dot), dtype=np.bool_)
+    if np.count_nonzero(dot) > 1:
+        result[dot] = _dots_in_row(parts.only(dot), near_large, pen_width)
+    return result
+
+
+def _dots_in_row(parts: Parts, near_large: Bools, pen_width: float) -> Bools:
+    """(n,) the same of dots alone."""
+    n, (x, y) = len(parts.area), parts.centre.T
+    dx, dy = x - x[:, None], y - y[:, None]
+    distance = np.hypot(dx, dy)
+    alike = parts.area < 3.0 * parts.area[:, None]
+    near = alike & alike.T & (distance > 0) & (distance < 3.5 * parts.length[:, None] + 1.5 * pen_width + 2.0)
     result = np.zeros(n, dtype=np.bool_)
     if not near.any():
         return result
     closest = np.argsort(np.where(near, distance, np.inf), axis=1)[:, :NEIGHBOURS]
     rows = np.arange(n)[:, None]
     valid = near[rows, closest]
-    step = offset[rows, closest]  # (n, k, 2) from a dot to each of its neighbours
+    step = np.stack([dx[rows, closest], dy[rows, closest]], axis=2)  # from a dot to each of its neighbours
     error = np.hypot(*(step[:, :, None, :] + step[:, None, :, :]).transpose(3, 0, 1, 2))
     opposite = valid[:, :, None] & valid[:, None, :] & (error < 0.35 * distance[rows, closest][:, :, None])
     on = parts.centre[:, None, None, :] - np.array([0.5, 0.75, 1.0, 1.25])[None, None, :, None] * step[:, :, None, :]

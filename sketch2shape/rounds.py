@@ -17,7 +17,7 @@ from sketch2shape.model import Floats
 from sketch2shape.regions import Region, enclosed_regions
 from sketch2shape.separate import CornerGraph
 from sketch2shape.sheet import Group
-from sketch2shape.strokes import Skeleton, Strokes, coverage, project, thinned, trace_strokes
+from sketch2shape.strokes import Skeleton, Strokes, are_covered, project, thinned, trace_strokes
 from sketch2shape.verify import Sheet, skeleton_sheet
 
 MOST_CORNERS = 120
@@ -81,13 +81,10 @@ def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> CornerGrap
     """Vertex candidates (k, 2), and which of them have ink between them, at most reach pixels off."""
     k = len(points)
     i, j = np.triu_indices(k, 1)
-    # a few samples of each tell most pairs without ink
-    likely = np.flatnonzero(coverage(skeleton.distance, points[i], points[j], reach, 8) >= 0.5)
-    i, j = i[likely], j[likely]
-    share = coverage(skeleton.distance, points[i], points[j], reach)
+    covered = are_covered(skeleton.near(reach), points[i], points[j], 0.9)
     apart = np.linalg.norm(points[i] - points[j], axis=1) > 2 * skeleton.pen_width
     inked = np.zeros((k, k), bool)
-    inked[i, j] = inked[j, i] = (share > 0.9) & apart
+    inked[i, j] = inked[j, i] = covered & apart
     return CornerGraph(points, inked, 0.75 * skeleton.pen_width + 1.5 * reach + 1.5)
 
 
@@ -149,7 +146,7 @@ def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
     """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little."""
     at = skeleton.points.astype(np.intp)
     weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
-    return skeleton_sheet(skeleton.distance, skeleton.points, weights, reach + 0.5, skeleton.pen_width)
+    return skeleton_sheet(skeleton, weights, reach + 0.5)
 
 
 def _area(regions: list[Region]) -> float:

@@ -10,6 +10,7 @@ may have strayed from a straight line.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -21,6 +22,8 @@ RULED = 1.0
 """Tolerance, pixels, up to which lines are taken for ruled."""
 RULED_BOW, HAND_BOW = 0.004, 0.012
 """How far a line may bow, as a part of its length."""
+FAR = 6.0
+"""Pixels from the skeleton up to which a dilation is faster than a distance transform."""
 KEPT = 40
 """Pixels of a growing stroke that are looked at again when it grows."""
 MOST_PIECES = 700
@@ -33,16 +36,28 @@ class Skeleton:
 
     mask      : (h, w) uint8, 1 on the skeleton
     points    : (k, 2) float, x and y of its pixels
-    distance  : (h, w) float32, distance of every pixel to the skeleton, pixels
     paths     : (m, 2) int32 each, x and y of the pixels of every branch in walking order
     pen_width : pixels
     """
 
     mask: NDArray[np.uint8]
     points: Floats
-    distance: NDArray[np.float32]
     paths: tuple[NDArray[np.int32], ...]
     pen_width: float
+
+    @cached_property
+    def distance(self) -> NDArray[np.float32]:
+        """(h, w), distance of every pixel to the skeleton, pixels."""
+        return _distance(1 - self.mask)
+
+    def near(self, reach: float) -> NDArray[np.uint8]:
+        """(h, w), 1 within reach, in pixels, of the skeleton."""
+        if reach > FAR:
+            return np.asarray(self.distance <= reach).view(np.uint8)
+        point = np.ones((2 * int(reach) + 1,) * 2, np.uint8)
+        point[int(reach), int(reach)] = 0
+        ball = np.asarray(_distance(point) <= reach, np.uint8)
+        return np.asarray(cv2.dilate(self.mask, ball), np.uint8)
 
 
 @dataclass(frozen=True)
@@ -76,8 +91,12 @@ def thin(ink: Ink) -> Skeleton:
     paths = _ordered_paths(np.asarray(branches, np.uint8))
     ys, xs = np.divmod(np.flatnonzero(mask.view(np.bool_)), mask.shape[1])
     points = np.stack([xs, ys], axis=1, dtype=np.float64, casting="unsafe")
-    distance = np.asarray(cv2.distanceTransform(1 - mask, cv2.DIST_L2, cv2.DIST_MASK_5), dtype=np.float32)
-    return Skeleton(mask, points, distance, tuple(paths), ink.pen_width)
+    return Skeleton(mask, points, tuple(paths), ink.pen_width)
+
+
+def _distance(away: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Of every pixel to the next one that is 0."""
+    return np.asarray(cv2.distanceTransform(away, cv2.DIST_L2, cv2.DIST_MASK_5), np.float32)
 
 
 def _ordered_paths(branches: NDArray[np.uint8]) -> list[NDArray[np.int32]]:
@@ -288,16 +307,31 @@ def trace_strokes(skeleton: Skeleton, tolerance: float, where: Bools | None = No
     return Strokes(lines.ends[order], np.minimum(lines.inked / (lengths + 1.0), 1.0)[order], tolerance)
 
 
-def coverage(distance: NDArray[np.float32], a: Floats, b: Floats, reach: float, samples: int = 48) -> Floats:
-    """Part of each segment that lies within reach of the skeleton.
+def are_covered(near: NDArray[np.uint8], a: Floats, b: Floats, least: float) -> Bools:
+    """(k,) whether more than a part of each segment lies near the skeleton (see `Skeleton.near`).
 
     a, b  : (k, 2) float, end points in pixels
-    reach : pixels
-    Returns (k,) float in 0..1.
+    least : 0..1
+
+    Seen at 48 places of each, but first at every sixth, where most turn out to miss too many.
     """
-    s = (np.arange(samples) + 0.5) / samples
-    h, w = distance.shape
-    x, y = (p[:, None] + s * (q - p)[:, None] for p, q in zip(a.T, b.T, strict=True))
-    x, y = np.clip(np.rint(x, out=x), 0, w - 1, out=x), np.clip(np.rint(y, out=y), 0, h - 1, out=y)
-    near = distance.ravel().take((y * w + x).astype(np.intp)) <= reach
-    return np.asarray(near.sum(axis=1) / samples)
+    places = np.arange(48)
+    first = places % 6 == 2
+    left, missed = np.arange(len(a)), np.zeros(len(a), np.intp)
+    for some in (places[first], places[~first]):
+        missed = missed + _missed(near, a[left], b[left], (some + 0.5) / 48)
+        hopeful = missed < (1.0 - least) * 48 - 1e-9
+        left, missed = left[hopeful], missed[hopeful]
+    covered = np.zeros(len(a), np.bool_)
+    covered[left] = True
+    return covered
+
+
+def _missed(near: NDArray[np.uint8], a: Floats, b: Floats, steps: Floats) -> Ints:
+    """(k,) how many of the places at these parts (m,) of the way from a to b, (k, 2) each, are not near."""
+    h, w = near.shape
+    (x, y), (dx, dy) = a.T[..., None], (b - a).T[..., None]
+    columns = np.minimum(np.maximum(np.rint(x + steps * dx), 0), w - 1)
+    rows = np.minimum(np.maximum(np.rint(y + steps * dy), 0), h - 1)
+    found = near.ravel().take((rows * w + columns).astype(np.intp))
+    return np.asarray(len(steps) - np.count_nonzero(found, axis=1), np.intp)

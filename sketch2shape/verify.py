@@ -12,11 +12,10 @@ from itertools import groupby
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ints, Lines
 from sketch2shape.rings import Frame, Rings, Stack, frame, stack
-from sketch2shape.strokes import project, thinned
+from sketch2shape.strokes import Skeleton, project, thinned
 from sketch2shape.visibility import edge_samples, hidden_depth, hidden_samples
 
 STYLES: tuple[Lines, Lines, Lines] = ("wire", "dashed", "removed")
@@ -55,7 +54,7 @@ class Evidence:
 class Sheet:
     """What a hypothesis is compared with.
 
-    distance : (h, w) float32, distance to the skeleton, pixels
+    skeleton : of the drawing
     points   : (k, 2) float, skeleton pixels that must be explained
     weights  : (k,) float, weight of each
     reach    : pixels a drawn line may be away from the predicted one
@@ -63,7 +62,7 @@ class Sheet:
     step     : skeleton pixels for each of the points
     """
 
-    distance: NDArray[np.float32]
+    skeleton: Skeleton
     points: Floats
     weights: Floats
     reach: float
@@ -83,17 +82,18 @@ class Sheet:
     @cached_property
     def near(self) -> Bools:
         """(h + 2, w + 2) bool, pixels within reach of the skeleton; nothing is near outside the picture."""
-        return np.pad(self.distance <= self.reach, 1)
+        near = cv2.copyMakeBorder(self.skeleton.near(self.reach), 1, 1, 1, 1, cv2.BORDER_CONSTANT)
+        return np.asarray(near, np.uint8).view(np.bool_)
 
     @cached_property
     def places(self) -> Ints:
         """(k,) int, where in the flattened picture the points are."""
         at = self.points.astype(np.intp)
-        return np.asarray(at[:, 1] * self.distance.shape[1] + at[:, 0])
+        return np.asarray(at[:, 1] * self.skeleton.mask.shape[1] + at[:, 0])
 
     def inked(self, points: Floats) -> Bools:
         """Whether points (..., 2) are within reach of the ink, (...) bool."""
-        h, w = self.distance.shape
+        h, w = self.skeleton.mask.shape
         at = np.rint(points)
         x = np.clip(at[..., 0] + 1, 0, w + 1)
         y = np.clip(at[..., 1] + 1, 0, h + 1)
@@ -232,7 +232,7 @@ def _explained(points: Floats, shown: Bools, sheet: Sheet) -> float:
     runs = [np.stack([low[whole, 0], high[whole, -1]], axis=1)]
     for edge in np.flatnonzero(~whole & shown.any(axis=1)):
         runs += [np.array([[low[edge, a], high[edge, b]]]) for a, b in _runs(shown[edge])]
-    canvas = np.zeros(sheet.distance.shape, np.uint8)
+    canvas = np.zeros(sheet.skeleton.mask.shape, np.uint8)
     segments = np.clip(np.rint(np.concatenate(runs)), -30000, 30000).astype(np.int32)
     cv2.polylines(canvas, list(segments), False, 1, thickness)
     hit = canvas.ravel().take(sheet.places)
@@ -255,7 +255,8 @@ def _drawn(lit: Bools, frame: Frame) -> Bools:
     return np.asarray(count[:, half:] >= 2)
 
 
-def skeleton_sheet(distance: NDArray[np.float32], points: Floats, weights: Floats, reach: float, pen: float) -> Sheet:
-    """A sheet with at most MOST_POINTS of the skeleton's points."""
-    some = thinned(len(points), MOST_POINTS)
-    return Sheet(distance, points[some], weights[some], reach, pen, len(points) / max(len(some), 1))
+def skeleton_sheet(skeleton: Skeleton, weights: Floats, reach: float) -> Sheet:
+    """A sheet with at most MOST_POINTS of the skeleton's points, which have these weights (k,)."""
+    some = thinned(len(weights), MOST_POINTS)
+    step = len(weights) / max(len(some), 1)
+    return Sheet(skeleton, skeleton.points[some], weights[some], reach, skeleton.pen_width, step)

@@ -20,9 +20,8 @@ def ink_of(picture):
 
 def sheet_of(picture, reach=2.5):
     """What hypotheses are compared with: the thinned ink, every pixel of it alike."""
-    ink = ink_of(picture)
-    skeleton = thin(ink)
-    return skeleton_sheet(skeleton.distance, skeleton.points, np.ones(len(skeleton.points)), reach, ink.pen_width)
+    skeleton = thin(ink_of(picture))
+    return skeleton_sheet(skeleton, np.ones(len(skeleton.points)), reach)
 
 
 def paper(height=400, width=480):

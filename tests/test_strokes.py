@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
-from sketch2shape.strokes import coverage, fit_lines, moments, thin, trace_strokes
+from sketch2shape.strokes import are_covered, fit_lines, moments, thin, trace_strokes
 
 
 def traced(picture, tolerance=1.5):
@@ -77,11 +77,19 @@ def test_a_line_is_fitted_across_not_along():
     assert spread == pytest.approx(0, abs=1e-6)
 
 
-def test_coverage_is_the_part_of_a_segment_that_is_drawn():
-    distance = thin(ink_of(line(paper(), [50, 80], [250, 80]))).distance
+def test_segments_are_covered_as_far_as_they_are_drawn():
+    near = thin(ink_of(line(paper(), [50, 80], [250, 80]))).near(2.0)
     a = np.array([[50.0, 80], [50, 80], [50, 200], [-500, -500]])
     b = np.array([[250.0, 80], [450, 80], [250, 200], [-400, -500]])
-    assert coverage(distance, a, b, 2.0) == pytest.approx([1, 0.5, 0, 0], abs=0.05)
+    assert are_covered(near, a, b, 0.9).tolist() == [True, False, False, False]
+    assert are_covered(near, a, b, 0.4).tolist() == [True, True, False, False]
+    assert are_covered(near, a, b, 0.6).tolist() == [True, False, False, False]
+
+
+@pytest.mark.parametrize("reach", [0.5, 2.0, 3.3, 5.0])
+def test_what_is_near_the_skeleton_is_told_by_distance(reach):
+    skeleton = thin(ink_of(line(line(paper(), [50, 80], [250, 180]), [30, 300], [430, 90])))
+    assert np.array_equal(skeleton.near(reach), skeleton.distance <= reach)
 
 
 def test_blank_paper_has_no_strokes():
