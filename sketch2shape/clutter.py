@@ -133,13 +133,13 @@ def _belongs(parts: Parts, pieces: Pieces, large: Bools, pen_width: float, lette
     """(n,) whether each small component is part of a line or too large to be a letter."""
     dash = parts.are_dashes(pen_width)
     near_large = _grown(large, 3)
-    sides: Bools = _ahead(parts, dash, pen_width)
+    sides = _ahead(parts, dash, pen_width)
     met = _reaches(parts, near_large, pen_width)
-    ahead = sides.any(axis=0)
+    ahead = sides[0] | sides[1]
     paired = (ahead & ahead.T).any(axis=1)
-    between = np.all(sides.any(axis=2) | met, axis=0)
+    between = (sides.any(axis=2) | met).all(axis=0)
     long = parts.length > 4.0 * np.maximum(parts.width, pen_width)
-    linked = dash & (paired | between | (long & np.any(met, axis=0)))
+    linked = dash & (paired | between | (long & (met[0] | met[1])))
     pointed_at = (ahead & linked[:, None]).sum(axis=0)
     full = parts.area > 0.7 * parts.length * parts.width  # an o or n is not
     dot = full & (parts.length < 3.0 * pen_width + 2.0) & (parts.area > 0.15 * pen_width**2)
