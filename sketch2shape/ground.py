@@ -15,6 +15,7 @@ import numpy as np
 from sketch2shape.levels import counts_of
 from sketch2shape.model import Floats, Gray, as_gray
 from sketch2shape.paper import noise_of
+from sketch2shape.sizes import averaged, halved
 
 LONG_SIDE = 1100
 """Long side of the working size for large pictures, pixels."""
@@ -23,7 +24,7 @@ SMALL_SIDE = 300
 CLEAN = 0.6
 """Share of the pixels that have exactly the level of the margin, from which there is no noise."""
 SURFACE_SIDE = 512
-"""Long side of the map of the paper's colours, pixels."""
+"""Greatest long side of the map of the paper's colours, pixels."""
 MAP_SIDE = 128
 """Long side of the map on which a table, a shadow or a page is looked for, pixels."""
 TABLE = 0.08
@@ -90,10 +91,8 @@ def at_working_size(pixels: Gray) -> tuple[Gray, float]:
     Large pictures are averaged over areas so that hairlines pale instead of breaking; small ones are interpolated.
     """
     scale = 1.0
-    while max(pixels.shape[:2]) > 2 * LONG_SIDE:  # halving is ten times as fast as averaging over parts of pixels
-        h, w = (max(1, n // 2) for n in pixels.shape[:2])
-        pixels = as_gray(cv2.resize(pixels[: 2 * h, : 2 * w], (w, h), interpolation=cv2.INTER_AREA))
-        scale *= 0.5
+    while max(pixels.shape[:2]) > 2 * LONG_SIDE:
+        pixels, scale = halved(pixels), 0.5 * scale
     h, w = pixels.shape[:2]
     side = max(h, w)
     if SMALL_SIDE <= side <= LONG_SIDE:
@@ -110,8 +109,7 @@ def _gray(pixels: Gray) -> Gray:
 
 def _reduced(gray: Gray, factor: float) -> Gray:
     h, w = gray.shape[:2]
-    size = (max(1, round(w * factor)), max(1, round(h * factor)))
-    return as_gray(cv2.resize(gray, size, interpolation=cv2.INTER_AREA))
+    return averaged(gray, (max(1, round(w * factor)), max(1, round(h * factor))))
 
 
 def _without_noise(gray: Gray) -> Gray:
@@ -173,8 +171,8 @@ def _frame_level(gray: Gray) -> int:
 
 def _is_coloured(pixels: Gray) -> bool:
     """Some pixels are clearly not grey; a sample of them is looked at."""
-    step = max(1, max(pixels.shape[:2]) // LONG_SIDE)
-    red, green, blue = cv2.split(pixels[:: 2 * step, ::step])
+    h, w = pixels.shape[:2]
+    red, green, blue = cv2.split(pixels[:: max(2, h // 240), :: max(1, w // LONG_SIDE)])
     tint = cv2.max(cv2.absdiff(red, green), cv2.absdiff(green, blue))
     return bool(cv2.countNonZero(cv2.threshold(tint, 50, 1, cv2.THRESH_BINARY)[1]) > 0.0005 * tint.size)
 
@@ -215,8 +213,9 @@ def _uneven_paper(plane: Gray) -> Gray:
 
 def _coloured_paper(pixels: Gray, dark: bool) -> Gray:
     """The same for all colours, at the size at which surfaces are told apart."""
-    small = _reduced(pixels, min(1.0, SURFACE_SIDE / max(pixels.shape[:2])))
-    return _closed(as_gray(cv2.bitwise_not(small)) if dark else small)
+    while max(pixels.shape[:2]) > SURFACE_SIDE:
+        pixels = halved(pixels)
+    return _closed(as_gray(cv2.bitwise_not(pixels)) if dark else pixels)
 
 
 def _closed(half: Gray) -> Gray:

@@ -46,7 +46,7 @@ def find_ink(picture: Picture) -> Ink:
         marked = max(FLOOR, 5.0 * noise, paper_marks(contrast))
         on_page, corners = find_page(ground.paper, ink_mask(contrast, marked))
         if on_page is not None:
-            contrast = np.where(on_page, contrast, np.uint8(0))
+            contrast = contrast * on_page
             noise = noise_of(contrast, on_page)
         page = None if corners is None else _rectification(corners, scale, picture)
     marks = paper_marks(contrast, on_page)

@@ -18,6 +18,13 @@ def above(gray: Gray, level: float) -> Bools:
     return np.asarray(gray > np.uint8(min(level, 255)), dtype=np.bool_)
 
 
+def quantile(ordered: Floats, share: float) -> float:
+    """That of (n,) values in rising order, n > 0, as `numpy.quantile` has it."""
+    rank = share * (len(ordered) - 1)
+    low, high = ordered[int(rank)], ordered[min(int(rank) + 1, len(ordered) - 1)]
+    return float(low + (high - low) * (rank - int(rank)))
+
+
 def percentile(values: Gray, percent: float) -> float:
     """That of (n,) bytes, n > 0, as `numpy.percentile` has it; by counting, which is faster than sorting."""
     below = np.cumsum(np.bincount(values, minlength=256))

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Gray, as_gray
+from sketch2shape.sizes import averaged
 
 MAP_SIDE = 256
 """Long side of the map on which surfaces are told apart, pixels."""
@@ -41,7 +42,7 @@ def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
     h, w = mask.shape
     factor = MAP_SIDE / max(h, w)
     size = (max(8, round(w * factor)), max(8, round(h * factor)))
-    surface = _surface(as_gray(cv2.resize(paper, size, interpolation=cv2.INTER_AREA)), mask)
+    surface = _surface(as_gray(cv2.resize(paper, size, interpolation=cv2.INTER_LINEAR)), mask)
     if surface is None:
         return None, None
     inside = cv2.erode(surface, np.ones((7, 7), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
@@ -58,7 +59,7 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     limit = np.maximum(as_gray(cv2.convertScaleAbs(paper, alpha=2 * STEP)), np.uint8(3))
     over = as_gray(step > limit)
     edge = cv2.transform(over, np.ones((1, 3), np.float32)) > 0
-    drawn = cv2.resize(mask.view(np.uint8) * np.uint8(255), paper.shape[1::-1], interpolation=cv2.INTER_AREA)
+    drawn = averaged(mask * np.uint8(255), (paper.shape[1], paper.shape[0]))
     ink = drawn * np.float32(1 / 255)
     smooth = as_gray(~edge & (cv2.blur(ink, (9, 9)) <= 1.4 * TEXTURE))
     count, found = cv2.connectedComponents(smooth, connectivity=4)
@@ -122,7 +123,7 @@ def _quadrilateral(region: Gray) -> Floats | None:
     lines = [line for a, b in zip(polygon, np.roll(polygon, -1, axis=0), strict=True) if (line := _side(outline, a, b))]
     if len(lines) != 4:
         return None
-    crossings = np.array([np.cross(lines[i - 1], lines[i]) for i in range(4)])
+    crossings = np.cross(np.roll(lines, 1, axis=0), lines)
     if np.any(np.abs(crossings[:, 2]) < 0.5):
         return None
     corners = crossings[:, :2] / crossings[:, 2:]

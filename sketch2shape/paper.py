@@ -10,7 +10,7 @@ import itertools
 import cv2
 import numpy as np
 
-from sketch2shape.levels import above, counts_of
+from sketch2shape.levels import above, counts_of, quantile
 from sketch2shape.model import Bools, Floats, Gray
 from sketch2shape.pen import rough_pen_width
 
@@ -95,12 +95,12 @@ def paper_marks(contrast: Gray, on_page: Bools | None = None) -> float:
         if len(tallest) < TILES:
             return 0.0
     tallest = np.sort(tallest)
-    low, high = np.quantile(tallest, (EMPTIEST, 0.95))
+    low, high = quantile(tallest, EMPTIEST), quantile(tallest, 0.95)
     if low == 0.0:
         return 0.0
     if low > 0.86 * high:
-        return 1.2 * float(high) if high < PALE else 0.0
-    return _split(tallest, float(low))
+        return 1.2 * high if high < PALE else 0.0
+    return _split(tallest, low)
 
 
 def _highest(contrast: Gray, count: int) -> Gray:
@@ -120,9 +120,9 @@ def _split(tallest: Floats, low: float) -> float:
     last = int(np.argmax(np.where(steps > WIDE_STEP, WIDE_STEP, steps)))
     if steps[last] > CLEAR_STEP and low > 20.0:
         between = float(np.sqrt(tallest[last] * tallest[last + 1]))
-        return min(between, 1.2 * float(np.percentile(tallest[: last + 1], 95)))
+        return min(between, 1.2 * quantile(tallest[: last + 1], 0.95))
     alike = tallest < 1.6 * low + 4
-    top = float(np.percentile(tallest[alike], 95))
+    top = quantile(tallest[alike], 0.95)
     return 1.2 * top if top < PALE or not alike.all() else 0.0
 
 
