@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, L_SHAPE, SQUARE, ink_of, line, outline, paper, prism
 
-from sketch2shape.regions import enclosed_regions, sharpened
+from sketch2shape.regions import enclosed_regions, grown_area, sharpened
 
 
 def regions_of(picture):
@@ -48,3 +48,14 @@ def test_what_lies_within_a_region_is_its_island():
 def test_open_lines_enclose_nothing():
     assert regions_of(line(line(paper(), [50, 50], [400, 60]), [400, 60], [300, 300])) == []
     assert regions_of(paper()) == []
+
+
+@pytest.mark.parametrize("radius", [3, 11, 40])
+def test_an_area_grows_as_opencv_dilates_it_also_at_the_edge_of_the_picture(radius):
+    rng = np.random.default_rng(radius)
+    part = np.zeros((150, 200), np.uint8)
+    cv2.fillPoly(part, [rng.integers(0, 200, (7, 2), dtype=np.int32)], 1)
+    part[rng.integers(0, 150, 5), rng.integers(0, 200, 5)] ^= 1
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * radius + 1, 2 * radius + 1))
+    assert (grown_area(part, radius) == cv2.dilate(part, disc)).all()
+    assert (1 - grown_area(1 - part, radius) == cv2.erode(part, disc)).all()
