@@ -7,7 +7,8 @@ slant is sought together with a small turn of d.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+import math
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -37,8 +38,11 @@ _LEVEL, _ASKEW = 0.96, 1.0
 
 #: angles at which receding edges of an oblique drawing, and the axes of an isometric one, rise, radians, and how likely
 #: it is that one of them is used
-_RECEDING, _OFTEN = np.deg2rad([30.0, 45.0, 60.0]), 0.5
-_ISOMETRIC_AXES, _SOMETIMES = np.deg2rad([30.0]), 0.3
+_RECEDING, _OFTEN = (math.pi / 6, math.pi / 4, math.pi / 3), 0.5
+_ISOMETRIC_AXES, _SOMETIMES = (math.pi / 6,), 0.3
+
+#: the axes as an isometric view draws them, the upright one last, and how near d has to be to one, radians
+_AXES, _ALONG = (-math.pi / 6, math.pi / 6, math.pi / 2), math.radians(1.0)
 
 #: slant of an isometric view: all three axes equally foreshortened
 ISOMETRIC = float(np.arccos(1.0 / np.sqrt(3.0)))
@@ -104,7 +108,10 @@ class ParallelReading:
 
 @dataclass(frozen=True)
 class _Trials:
-    """Poses tried: every slant (g,) with every turn (h,), radians, the turn outermost; `sure` (h,) weighs the turns."""
+    """Poses tried: every slant (g,) with every turn (h,), radians, the turn outermost; `sure` (h,) weighs the turns.
+
+    Before all of them comes the face as drawn, neither stretched nor turned.
+    """
 
     slants: Floats
     turns: Floats
@@ -112,14 +119,17 @@ class _Trials:
 
     @cached_property
     def stretches(self) -> Floats:
-        """(h g, 1) stretch along d."""
-        return np.tile(1.0 / np.cos(self.slants), len(self.turns))[:, None]
+        """(1 + h g, 1) stretch along d."""
+        return np.concatenate([[1.0], *[1.0 / np.cos(self.slants)] * len(self.turns)])[:, None]
 
     @cached_property
     def swung(self) -> tuple[Floats, Floats]:
-        """Cosine and sine of the turn of d, both (h g, 1)."""
-        swung = np.repeat(self.turns, len(self.slants))[:, None]
+        """Cosine and sine of the turn of d, both (1 + h g, 1)."""
+        swung = np.concatenate([[0.0], np.repeat(self.turns, len(self.slants))])[:, None]
         return np.cos(swung), np.sin(swung)
+
+
+_STILL = _Trials(_SLANTS, _NO_TURN, np.ones(1))
 
 
 def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -> ParallelReading:
@@ -130,21 +140,31 @@ def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -
     relations : what could be regular about the face as drawn
     noise     : standard deviation of a drawn vertex, pixels
     """
-    view, drawn, isometric = _viewed(face, d, relations, noise)
-    trials = _trials(view, _SLANTS, _FEW_TURNS if view.wobble > _SURE else _NO_TURN)
-    found = _stretched(view, trials)
-    # the face as drawn is scored together with the stretched ones
-    every = _joined(drawn[0], found)
-    turned = bearings(relations, every, noise)
-    regular = score(relations, every, turned, noise)
-    oblique = float(regular[0]) + _OBLIQUE_PRIOR + _oblique_odds(view, drawn[1])
-    oblique += _usual_odds(view, _RECEDING, _OFTEN)
+    long = math.hypot(*d.tolist())
+    t = d / long
+    vectors = relations.rows @ face
+    along, across = vectors @ t, vectors @ np.array([-t[1], t[0]])
+    wobble = noise * math.sqrt(2.0 / len(face)) / long
+    trials = _STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS)
+    found = _stretched(along, across, trials)
+    turned = bearings(relations, found, noise)
+    angle, spread = _as_drawn(t, turned, len(relations.edges))
+    isometric = _isometric_odds(relations, angle, spread, d)
+    rests = None
+    if not _is_upright(t):
+        rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
+        rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
+        rests /= rests.sum()
+    view = StretchedFace(relations, along, across, t, wobble, noise, 0.6 if isometric > 1.0 else 0.0, rests)
+    regular = score(relations, found, turned, noise)
+    odds = regular[1:] + _pose_odds(view, trials, found, turned)
+    oblique = float(regular[0]) + _OBLIQUE_PRIOR + _level_odds(relations, angle, spread)
+    oblique += _usual_odds(view, _RECEDING, _OFTEN) - _steep_cost(view, turned.angle[0, : len(spread)], spread)
     isometric += _usual_odds(view, _ISOMETRIC_AXES, _SOMETIMES)
-    odds = regular[1:] + _pose_odds(view, trials, found, Bearings(turned.angle[1:], turned.spread[1:]))
     turn, slant = divmod(int(odds.argmax()), len(_SLANTS))
     top = float(odds.max())
     chance = np.exp(odds - top).sum() / (len(_SLANTS) * trials.sure.sum())
-    whole = top + float(np.log(chance)) + isometric
+    whole = top + math.log(chance) + isometric
     return ParallelReading(Pose(float(_SLANTS[slant]), float(trials.turns[turn])), whole, oblique, view)
 
 
@@ -152,10 +172,10 @@ def refined_pose(reading: ParallelReading) -> Pose:
     """The pose of a reading to a hundredth of a degree."""
     view, pose = reading.view, reading.pose
     near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
-    trials = _trials(view, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
-    found = _stretched(view, trials)
+    trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
+    found = _stretched(view.along, view.across, trials)
     turned = bearings(view.relations, found, view.noise)
-    odds = score(view.relations, found, turned, view.noise) + _pose_odds(view, trials, found, turned)
+    odds = score(view.relations, found, turned, view.noise)[1:] + _pose_odds(view, trials, found, turned)
     odds = odds.reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
     return Pose(_peak(near, odds[turn], slant), _peak(trials.turns, odds[:, slant], turn))
@@ -170,53 +190,31 @@ def _peak(at: Floats, odds: Floats, best: int) -> float:
     return float(at[best] + (0.5 * (left - right) / bend * (at[best + 1] - at[best]) if bend < 0.0 else 0.0))
 
 
-def _trials(view: StretchedFace, slants: Floats, turns: Floats) -> _Trials:
-    return _Trials(slants, view.wobble * turns, np.exp(-0.5 * turns**2))
+def _trials(wobble: float, slants: Floats, turns: Floats) -> _Trials:
+    return _Trials(slants, wobble * turns, np.exp(-0.5 * turns**2))
 
 
-def _stretched(view: StretchedFace, trials: _Trials) -> Candidates:
-    """The face in each pose, the turn outermost."""
-    (c, s), stretches = trials.swung, trials.stretches
-    x, y = stretches * (c * view.along + s * view.across), c * view.across - s * view.along
-    return Candidates(x, y, stretches[:, 0], stretches[:, 0])
-
-
-def _joined(first: Candidates, more: Candidates) -> Candidates:
-    pairs = ((first.x, more.x), (first.y, more.y), (first.area, more.area), (first.stretch, more.stretch))
-    return Candidates(*(np.concatenate(pair) for pair in pairs))
+def _stretched(along: Floats, across: Floats, trials: _Trials) -> Candidates:
+    """The face in each pose, by the components of its relations' vectors along and across d as drawn."""
+    stretches = trials.stretches
+    if len(trials.turns) == 1:
+        return Candidates(
+            stretches * along, across[None].repeat(len(stretches), axis=0), stretches[:, 0], stretches[:, 0]
+        )
+    c, s = trials.swung
+    return Candidates(stretches * (c * along + s * across), c * across - s * along, stretches[:, 0], stretches[:, 0])
 
 
 def _pose_odds(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
     """(h g,) log odds of the poses, whatever shape they give the face."""
-    odds = _isotropy_odds(view.relations, found)
-    odds += np.add.outer(np.log(trials.sure), _slant_odds(view, trials.slants)).ravel()
-    return odds if view.rests is None else odds + _gravity_odds(view, view.rests, trials, turned)
+    odds = _isotropy_odds(view.relations, found)[1:]
+    odds = odds + np.add.outer(np.log(trials.sure), _slant_odds(view, trials.slants)).ravel()
+    return odds if view.rests is None else odds + _gravity_odds(view, view.rests, trials, turned)[1:]
 
 
-def _viewed(
-    face: Floats, d: Floats, relations: Relations, noise: float
-) -> tuple[StretchedFace, tuple[Candidates, Bearings], float]:
-    """The face ready for stretching, the face as drawn, and the log odds of its axes being an isometric view's."""
-    long = float(np.hypot(*d))
-    t = d / long
-    vectors = relations.rows @ face
-    along, across = vectors @ t, vectors @ np.array([-t[1], t[0]])
-    view = StretchedFace(relations, along, across, t, noise * np.sqrt(2.0 / len(face)) / long, noise)
-    drawn = Candidates(along[None], across[None], np.ones(1), np.ones(1))
-    turned = bearings(relations, drawn, noise)
-    isometric = _isometric_odds(relations, *_as_drawn(view, turned), d)
-    rests = None
-    if not _is_upright(t):
-        rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
-        rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
-        rests /= rests.sum()
-    return replace(view, isometric=0.6 if isometric > 1.0 else 0.0, rests=rests), (drawn, turned), isometric
-
-
-def _as_drawn(view: StretchedFace, turned: Bearings) -> tuple[Floats, Floats]:
-    """(k,) directions of the edges as drawn, in the picture, and their standard deviations; `turned` is unstretched."""
-    k = len(view.relations.edges)
-    angle = turned.angle[0, :k] + np.arctan2(view.toward[1], view.toward[0])
+def _as_drawn(toward: Floats, turned: Bearings, k: int) -> tuple[Floats, Floats]:
+    """(k,) directions of the edges as drawn, in the picture, and their standard deviations."""
+    angle = turned.angle[0, :k] + math.atan2(toward[1], toward[0])
     return (angle + np.pi) % (2.0 * np.pi) - np.pi, turned.spread[0, :k]
 
 
@@ -255,11 +253,11 @@ def _is_upright(toward: Floats) -> bool:
 
 def _isometric_odds(relations: Relations, angle: Floats, spread: Floats, d: Floats) -> float:
     """Axes drawn at 30 degrees to both sides of the level, or one upright and one at 30 degrees: an isometric view."""
-    own = np.arctan2(d[1], d[0])
+    own = math.atan2(d[1], d[0])
     off = np.full(len(angle), np.pi / 2)
-    for axis in np.deg2rad([-30.0, 30.0, 90.0]):
-        if between(own, axis) < np.deg2rad(1.0):
-            for other in np.deg2rad([-30.0, 30.0]):
+    for axis in _AXES:
+        if abs(math.sin(own - axis)) < math.sin(_ALONG):
+            for other in _AXES[:2]:
                 if other != axis:
                     off = np.minimum(off, between(angle, other))
     belief = np.where(relations.edges > 1, 0.4, 0.1)
@@ -299,25 +297,25 @@ def _rests(ways: Floats, outer: Floats) -> Bools:
     return np.asarray(both.any(axis=0))
 
 
-def _oblique_odds(view: StretchedFace, turned: Bearings) -> float:
-    """What else than regularity speaks for an oblique drawing: level edges, and a d that recedes."""
-    angle, spread = _as_drawn(view, turned)
-    odds = _level_odds(view.relations, angle, spread)
-    off = float(np.arcsin(np.abs(view.toward).min()))
-    steep = float(np.exp(-0.5 * max(off - _STEEP, 0.0) ** 2 / (np.deg2rad(0.5) ** 2 + view.wobble**2)))
-    if steep > 0.01:
-        # an edge drawn along d is hidden behind its own side
-        near = np.sqrt((2.0 * spread) ** 2 + (2.0 * view.wobble) ** 2) + np.deg2rad(1.5)
-        hidden = bool((between(turned.angle[0, : len(spread)], np.zeros(1)) < near).any())
-        odds -= _STEEP_COST * (1.0 + 3.0 * hidden) * steep
-    return odds
+def _steep_cost(view: StretchedFace, off: Floats, spread: Floats) -> float:
+    """What it costs an oblique drawing that d hardly recedes; off: angle of each edge direction to d, radians."""
+    level = float(np.arcsin(np.abs(view.toward).min()))
+    steep = math.exp(-0.5 * max(level - _STEEP, 0.0) ** 2 / (math.radians(0.5) ** 2 + view.wobble**2))
+    if steep <= 0.01:
+        return 0.0
+    # an edge drawn along d is hidden behind its own side
+    near = np.sqrt((2.0 * spread) ** 2 + (2.0 * view.wobble) ** 2) + math.radians(1.5)
+    hidden = bool((between(off, np.zeros(1)) < near).any())
+    return _STEEP_COST * (1.0 + 3.0 * hidden) * steep
 
 
-def _usual_odds(view: StretchedFace, usual: Floats, belief: float) -> float:
+def _usual_odds(view: StretchedFace, usual: tuple[float, ...], belief: float) -> float:
     """Log odds that d rises at one of the usual angles, and not at any."""
-    rise = np.arctan2(abs(view.toward[1]), abs(view.toward[0]))
-    off = np.abs(rise - usual).min(keepdims=True)
-    return float(log_odds(off, np.hypot(view.wobble, np.deg2rad(0.5))[None], belief, 0.5 * np.pi / len(usual))[0])
+    rise = math.atan2(abs(view.toward[1]), abs(view.toward[0]))
+    off = min(abs(rise - angle) for angle in usual)
+    spread = math.hypot(view.wobble, math.radians(0.5))
+    density = math.exp(-0.5 * (off / spread) ** 2) / (spread * math.sqrt(2.0 * math.pi))
+    return math.log(1.0 - belief + belief * 0.5 * math.pi / len(usual) * density)
 
 
 def _level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:

@@ -174,7 +174,7 @@ def log_odds(deviation: Floats, spread: Floats, belief: Floats | float, span: fl
     return odds
 
 
-def between(first: Floats, second: Floats) -> Floats:
+def between(first: Floats, second: Floats | float) -> Floats:
     """Angle between two undirected lines, 0 to pi / 2; their directions are between -pi and pi."""
     turn = np.abs(np.abs(first - second) - np.pi)
     angle: Floats = np.minimum(turn, np.pi - turn)
@@ -262,14 +262,14 @@ def _symmetries(shape: Floats, n: int, noise: float) -> tuple[Floats, Floats]:
     sine = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
     found = np.flatnonzero((np.maximum(off[:n], off[n:]) <= limit) & (np.abs(sine) >= 0.17))
     rows = np.zeros((2, len(found), len(shape)))
-    for at, k in enumerate(found):
-        half = 0.5 * (middles[k] @ along[k])
-        rows[0, at, :n] += half
-        np.add.at(rows[0, at], mates[k], half)
-        span = chords[k] @ across[k]
-        rows[1, at, :n] += span
-        np.add.at(rows[1, at], mates[k], -span)
-    rows /= np.maximum(np.abs(rows).sum(axis=2, keepdims=True), 1e-300)
+    if len(found):
+        # what each vertex adds, it adds to its mirror image too, or takes from it
+        mirrored = mates[found]
+        half = 0.5 * (middles[found] @ along[found, :, None])[..., 0]
+        span = (chords[found] @ across[found, :, None])[..., 0]
+        rows[0, :, :n] = half + np.take_along_axis(half, mirrored, axis=1)
+        rows[1, :, :n] = span - np.take_along_axis(span, mirrored, axis=1)
+        rows /= np.maximum(np.abs(rows).sum(axis=2, keepdims=True), 1e-300)
     return rows, np.array([_SYMMETRY_BELIEF.get((n, k % 2), 0.8) for k in found.tolist()])
 
 
