@@ -72,7 +72,11 @@ def read_ground(pixels: Gray) -> Ground:
     if dark:
         planes = [as_gray(cv2.bitwise_not(p)) for p in planes]
     papers = [] if even else [_uneven_paper(p) for p in planes]
-    contrasts = [_even_contrast(p) for p in planes] if even else list(map(_contrast, planes, papers))
+    if even:
+        margins = [255 - ground if dark else ground, *map(_frame_level, planes[1:])]
+        contrasts = list(map(_even_contrast, planes, margins))
+    else:
+        contrasts = list(map(_contrast, planes, papers))
     contrast = contrasts[0]
     if len(contrasts) > 1:
         strongest = np.max(np.stack(contrasts[1:]), axis=0)
@@ -194,9 +198,9 @@ def _is_dark(gray: Gray, levels: Floats, ground: int, even: bool) -> bool:
     return bool(light > dark)
 
 
-def _even_contrast(plane: Gray) -> Gray:
+def _even_contrast(plane: Gray, level: int) -> Gray:
     """1 - plane / level of the margin in 255ths, by a table."""
-    level = max(_frame_level(plane), 1)
+    level = max(level, 1)
     if level == 255:
         return as_gray(cv2.bitwise_not(plane))
     levels = np.arange(256, dtype=np.uint8)

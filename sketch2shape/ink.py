@@ -52,11 +52,11 @@ def find_ink(picture: Picture) -> Ink:
     marks = paper_marks(contrast, on_page)
     floor = max(FLOOR, 5.0 * noise, marks)
     contrast = without_bands(contrast, floor)
-    frame = _frame(contrast, floor)
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros_like(contrast)
+    diagonal = float(np.hypot(*contrast.shape))
+    frame = _frame(_above(contrast, floor), MARGIN * diagonal)
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
-    diagonal = float(np.hypot(*contrast.shape))
     part = np.ascontiguousarray(contrast[frame])
     if not ground.clean:
         part = without_stains(part, floor, diagonal)
@@ -69,21 +69,22 @@ def find_ink(picture: Picture) -> Ink:
     drawn = without_hatching(drawn, diagonal)
     drawn = without_clutter(drawn, part, noisy=ringing > 0.0 or noise > 0.5)
     pen_width = pen_width_of(drawn)
-    drawn = without_burrs(drawn, pen_width)
-    mask[frame] = drawn
-    inked = part[drawn]
-    peak = percentile(inked, 90) if len(inked) else 255.0
-    strength[frame] = cv2.convertScaleAbs(part, alpha=255.0 / max(peak, 1.0))
+    closer = _frame(drawn.view(np.uint8), MARGIN * diagonal)
+    if closer is not None:  # without what was cleared away it is smaller, often by half
+        part = part[closer]
+        drawn = without_burrs(np.ascontiguousarray(drawn[closer]), pen_width)
+        mask[frame][closer] = drawn
+        strength[frame][closer] = cv2.convertScaleAbs(part, alpha=255.0 / max(percentile(part[drawn], 90), 1.0))
     return Ink(mask=mask, strength=strength, pen_width=pen_width, scale=scale, page=page)
 
 
-def _frame(contrast: Gray, floor: float) -> tuple[slice, slice] | None:
-    """Rows and columns that hold all contrast above the floor, with a margin; None where there is none."""
-    h, w = contrast.shape
-    x, y, width, height = cv2.boundingRect(_above(contrast, floor))
+def _frame(marked: Gray, border: float) -> tuple[slice, slice] | None:
+    """Rows and columns that hold all that is not 0, with a border around; None where there is nothing."""
+    h, w = marked.shape
+    x, y, width, height = cv2.boundingRect(marked)
     if not width:
         return None
-    margin = round(MARGIN * float(np.hypot(h, w)))
+    margin = round(border)
     return (
         slice(max(0, y - margin), min(h, y + height + margin)),
         slice(max(0, x - margin), min(w, x + width + margin)),
@@ -107,25 +108,29 @@ def ink_mask(contrast: Gray, floor: float, ringing: float = 0.0, weakest: float 
     """
     least = np.full_like(contrast, min(int(floor), 255))
     if ringing > 0.0:
-        peak = as_gray(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))
-        least = np.maximum(least, as_gray(cv2.convertScaleAbs(peak, alpha=ringing)))
-    mask = _near_peak(contrast, least, 9, 0.5, weakest)
+        least = np.maximum(least, _scaled(_peak(contrast, 25), ringing))
+    weaker = _scaled(least, weakest) if weakest < 1.0 else least
+    mask = _near_peak(contrast, least, weaker, 9, 0.5)
     pen_width = rough_pen_width(mask)
     if pen_width > 4.0:
         return mask
     size, share = (5, 0.38) if pen_width < FINE else (7, 0.45)
-    return _near_peak(contrast, least, size, share, weakest)
+    return _near_peak(contrast, least, weaker, size, share)
 
 
-def _near_peak(contrast: Gray, least: Gray, size: int, share: float, weakest: float) -> Bools:
-    peak = as_gray(cv2.dilate(contrast, np.ones((size, size), np.uint8)))
-    above = contrast > np.maximum(least, as_gray(cv2.convertScaleAbs(peak, alpha=share)))
-    if weakest < 1.0:
-        lower = np.maximum(
-            as_gray(cv2.convertScaleAbs(least, alpha=weakest)), as_gray(cv2.convertScaleAbs(peak, alpha=share))
-        )
-        above |= (contrast > lower) & (peak > least)
-    return np.asarray(above, dtype=np.bool_)
+def _near_peak(contrast: Gray, least: Gray, weaker: Gray, size: int, share: float) -> Bools:
+    """What has a share of the highest contrast around it, and the least that ink has, or a weaker one beside that."""
+    peak = _peak(contrast, size)
+    lowest = least if weaker is least else np.where(peak > least, weaker, least)
+    return np.asarray(contrast > np.maximum(lowest, _scaled(peak, share)), dtype=np.bool_)
+
+
+def _peak(contrast: Gray, size: int) -> Gray:
+    return as_gray(cv2.dilate(contrast, np.ones((size, size), np.uint8)))
+
+
+def _scaled(values: Gray, share: float) -> Gray:
+    return as_gray(cv2.convertScaleAbs(values, alpha=share))
 
 
 def ringing_of(contrast: Gray) -> float:
@@ -133,9 +138,8 @@ def ringing_of(contrast: Gray) -> float:
     if _count(contrast) - _count(_above(contrast, PALE - 1)) < 0.01 * contrast.size:
         return 0.0
     sample = contrast[::2]
-    peak = as_gray(cv2.dilate(contrast, np.ones((9, 9), np.uint8)))[::2]
-    wide_peak = as_gray(cv2.dilate(contrast, np.ones((25, 25), np.uint8)))[::2]
-    third = as_gray(cv2.convertScaleAbs(wide_peak, alpha=1 / 3))
+    peak, wide_peak = _peak(contrast, 9)[::2], _peak(contrast, 25)[::2]
+    third = _scaled(wide_peak, 1 / 3)
     around = np.flatnonzero((wide_peak > np.uint8(80)) & (peak < third))
     if len(around) < 100:
         return 0.0
