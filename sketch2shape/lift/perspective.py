@@ -34,7 +34,7 @@ _NEARER = np.geomspace(0.9, 1.0 / 0.9, 13)
 #: Gauss-Newton steps: the start is good
 _STEPS = 3
 
-_THREE = np.arange(3)
+_TWO, _THREE = np.arange(2), np.arange(3)
 
 #: depth over the distance of the front face beyond which a reading is nonsense
 _DEEPEST = 20.0
@@ -236,30 +236,29 @@ def _fit(one: Floats, two: Floats, focal: Floats, centre: Floats, meeting: Float
 
 def _first_depth(one: Floats, two: Floats, normal: Floats) -> Floats:
     """(g,) depth by linear least squares, the normal known: two x (one + depth (one . normal) normal) = 0."""
-    facing = (one @ normal[:, :, None])[..., 0]
-    base = _cross(two, one)
-    way = _cross(two, normal[:, None])
-    over = sum((b * w * facing).sum(axis=1) for b, w in zip(base, way, strict=True))
-    under = sum(((w * facing) ** 2).sum(axis=1) for w in way)
-    depth: Floats = -over / np.maximum(under, 1e-18)
+    (x, y, _), (u, v, _) = one.transpose(2, 0, 1), two.transpose(2, 0, 1)
+    a, b, c = normal.T[:, :, None]
+    facing = a * x + b * y + c
+    base = np.stack([v - y, x - u, u * y - v * x])
+    way = np.stack([c * v - b, a - c * u, b * u - a * v]) * facing
+    depth: Floats = -(base * way).sum(axis=(0, 2)) / np.maximum((way * way).sum(axis=(0, 2)), 1e-18)
     return depth
-
-
-def _cross(a: Floats, b: Floats) -> tuple[Floats, Floats, Floats]:
-    """The components of the cross products of (..., 3) vectors."""
-    (x, y, z), (u, v, w) = (np.moveaxis(p, -1, 0) for p in (a, b))
-    return y * w - z * v, z * u - x * w, x * v - y * u
 
 
 def _transfer(one: Floats, two: Floats, m: Floats, sign: Floats, focal: Floats) -> tuple[Floats, Floats]:
     """Residuals (g, 2m) of the back face, pixels, and their derivatives (g, 2m, 3) by m."""
     facing = one @ m[:, :, None]
-    point = one + sign[:, None, None] * facing * m[:, None]
-    z = np.where(np.abs(point[..., 2:]) < 1e-6, 1e-6, point[..., 2:])
+    signed = sign[:, None, None] * facing
+    point = one + signed * m[:, None]
+    z = point[..., 2:]
+    z = np.where(np.abs(z) < 1e-6, 1e-6, z)
     flat = point[..., :2] / z
     residual = (flat - two[..., :2]) * focal[:, None, None]
-    change = sign[:, None, None, None] * (facing[..., None] * np.eye(3) + m[:, None, :, None] * one[:, :, None, :])
-    jacobian = (change[:, :, :2] - flat[..., None] * change[:, :, 2:]) / z[..., None] * focal[:, None, None, None]
+    # the point moves by sign (facing change + m (one . change)); what is seen of that is left of the line of sight
+    jacobian = (m[:, None, :2] - flat * m[:, None, 2:])[..., None] * one[:, :, None]
+    jacobian[..., _TWO, _TWO] += facing
+    jacobian[..., 2] -= flat * facing
+    jacobian *= ((sign * focal)[:, None, None] / z)[..., None]
     g = len(m)
     return residual.reshape(g, -1), jacobian.reshape(g, -1, 3)
 
