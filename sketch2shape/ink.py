@@ -22,6 +22,7 @@ from sketch2shape.model import Bools, Floats, Gray, Ink, Picture, as_gray
 from sketch2shape.page import find_page, page_homography
 from sketch2shape.paper import noise_of, paper_marks, without_bands
 from sketch2shape.pen import FINE, pen_width_of, rough_pen_width
+from sketch2shape.pieces import connected_pieces
 
 FLOOR = 8.0
 """Contrast below which nothing is ink, in 255ths."""
@@ -29,6 +30,8 @@ WEAKEST = 0.85
 """Part of the contrast of marks of the paper from which a pixel is ink beside one that is stronger than they are."""
 MARGIN = 0.03
 """Empty border around the ink, as a share of the picture's diagonal: what closes gaps must not meet the frame."""
+SPECK = 0.05
+"""Pieces smaller than this part of the largest one do not tell where the drawing lies."""
 PALE = 16
 """Contrast of ringing is below this nearly everywhere."""
 
@@ -54,7 +57,8 @@ def find_ink(picture: Picture) -> Ink:
     contrast = without_bands(contrast, floor)
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros_like(contrast)
     diagonal = float(np.hypot(*contrast.shape))
-    frame = _frame(_above(contrast, floor), MARGIN * diagonal)
+    marked = _above(contrast, floor)
+    frame = _frame(marked if ground.clean else _without_specks(marked), MARGIN * diagonal)
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     part = np.ascontiguousarray(contrast[frame])
@@ -89,6 +93,16 @@ def _frame(marked: Gray, border: float) -> tuple[slice, slice] | None:
         slice(max(0, y - margin), min(h, y + height + margin)),
         slice(max(0, x - margin), min(w, x + width + margin)),
     )
+
+
+def _without_specks(marked: Gray) -> Gray:
+    """The boxes of all but the smallest pieces, of noise and dust: a frame around these would be the whole picture."""
+    pieces = connected_pieces(marked)
+    boxes = np.zeros_like(marked)
+    for piece in np.flatnonzero(pieces.extent > SPECK * pieces.extent.max()).tolist():
+        (left, top), (right, bottom) = pieces.low[piece], pieces.high[piece]
+        boxes[top, left] = boxes[bottom, right] = 1
+    return boxes
 
 
 def _above(contrast: Gray, floor: float) -> Gray:
