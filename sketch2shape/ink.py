@@ -57,8 +57,8 @@ def find_ink(picture: Picture) -> Ink:
     contrast = without_bands(contrast, floor)
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros_like(contrast)
     diagonal = float(np.hypot(*contrast.shape))
-    marked = _above(contrast, floor)
-    frame = _frame(marked if ground.clean else _without_specks(marked), MARGIN * diagonal)
+    drawn_on = _above(contrast, floor)
+    frame = _frame(drawn_on if ground.clean else _without_specks(drawn_on), MARGIN * diagonal)
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     part = np.ascontiguousarray(contrast[frame])
