@@ -50,7 +50,7 @@ def find_page(paper: Gray, mask: Bools) -> tuple[Bools | None, Floats | None]:
     corners = _quadrilateral(surface)
     if corners is not None:
         corners = (corners + 0.5) * np.array([w / size[0], h / size[1]]) - 0.5
-    return as_gray(on_page).view(np.bool_), corners
+    return np.asarray(on_page > 0, dtype=np.bool_), corners
 
 
 def _surface(paper: Gray, mask: Bools) -> Gray | None:
@@ -59,7 +59,7 @@ def _surface(paper: Gray, mask: Bools) -> Gray | None:
     limit = np.maximum(as_gray(cv2.convertScaleAbs(paper, alpha=2 * STEP)), np.uint8(3))
     over = as_gray(step > limit)
     edge = cv2.transform(over, np.ones((1, 3), np.float32)) > 0
-    drawn = averaged(np.negative(mask.view(np.uint8)), (paper.shape[1], paper.shape[0]))  # 1 becomes 255
+    drawn = averaged(mask * np.uint8(255), (paper.shape[1], paper.shape[0]))
     ink = drawn * np.float32(1 / 255)
     smooth = as_gray(~edge & (cv2.blur(ink, (9, 9)) <= 1.4 * TEXTURE))
     count, found = cv2.connectedComponents(smooth, connectivity=4)

@@ -36,16 +36,15 @@ def noise_of(contrast: Gray, on_page: Bools | None = None) -> float:
     contrast : (h, w) uint8, see `Ground`
     on_page  : (h, w) where to look; then the noise of the noisier fifth of the tiles counts (the shadow's side)
     """
-    rough = _rough(_strips(contrast))
     if on_page is None:
-        return 1.85 * _median(rough)
-    page = _strips(on_page.view(np.uint8))
-    h, w = rough.shape
+        return 1.85 * _median(_rough(_strips(contrast)))
+    rough = _rough(contrast)
+    h, w = contrast.shape
     rows, columns = (np.unique(np.linspace(0, side, 6).astype(int)) for side in (h, w))
     medians = []
     for top, bottom in itertools.pairwise(rows):
         for left, right in itertools.pairwise(columns):
-            if page[top:bottom:2, left:right:4].mean() > 0.9:
+            if on_page[top:bottom:4, left:right:4].mean() > 0.9:
                 medians.append(_median(rough[top:bottom, left:right]))
     return 1.85 * float(np.percentile(medians, 80)) if medians else 1.85 * _median(rough)
 

@@ -16,11 +16,11 @@ from sketch2shape.attempts import GOOD, POOR, Attempt, attempts, is_sound
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, on_map, refine
 from sketch2shape.rings import Rings, coincide, plausible, split
-from sketch2shape.rounds import is_wireframe
+from sketch2shape.rounds import Traced, is_wireframe
 from sketch2shape.sheet import Group, split_groups
 from sketch2shape.shortlist import PERFECT
 from sketch2shape.simplify import simplified
-from sketch2shape.strokes import Skeleton, thin
+from sketch2shape.strokes import thin
 from sketch2shape.verify import Evidence, Sheet, is_dashed, judge
 
 MOST_VAIN = 3
@@ -31,6 +31,8 @@ LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
+NO_BETTER = 0.01
+"""Difference of merit that is not worth a refinement."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -144,11 +146,14 @@ def _best_of(attempt: Attempt) -> Found | None:
             hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
             if evidence.score < found.evidence.score - hopeless:
                 break
+            # not even an exact translation that explains all ink would have clearly more merit
+            if _merit(found) >= 1.0 - 0.002 * sum(rings.sizes) - NO_BETTER:
+                continue
             if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
                 continue
         tried.append(rings)
         rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced.dash_ends)
-        refined = _refined(traced.skeleton, rings, evidence, attempt.sheet)
+        refined = _refined(traced, rings, evidence, attempt.sheet)
         if found is None or _merit(refined) > _merit(found):
             found = refined
     return found
@@ -208,21 +213,24 @@ def _put_right(rings: Rings, judged: Evidence, sheet: Sheet, points: Floats) -> 
     return rings, judged
 
 
-def _refined(skeleton: Skeleton, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
+def _refined(traced: Traced, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
     """The hypothesis moved to the ink and without needless vertices, judged as strictly as the lines allow."""
-    moved, noise = refine(rings, skeleton.points, sheet.reach, evidence.drawn)
-    if not plausible(moved, 0.0) or judge(moved, sheet).score < evidence.score - 0.01:
-        moved = rings
+    points = traced.skeleton.points
+    moved, noise = refine(rings, points, sheet.reach, evidence.drawn)
     strict = replace(sheet, reach=min(sheet.reach, max(2.0, 3.0 * noise + 0.1 * sheet.pen + 1.0)))
-    moved, judged = _put_right(moved, judge(moved, strict), strict, skeleton.points)
-    simpler, judged = simplified(moved, judged, strict, noise, skeleton.points)
+    judged = judge(moved, strict) if plausible(moved, 0.0) else None
+    least = evidence.score - 0.01
+    if judged is None or (judged.score < least and judge(moved, sheet).score < least):
+        moved, judged = rings, judge(rings, strict)
+    moved, judged = _put_right(moved, judged, strict, points)
+    simpler, judged = simplified(moved, judged, strict, noise, points)
     if len(simpler.vertices) < len(moved.vertices):
-        again, noise = refine(simpler, skeleton.points, sheet.reach, judged.drawn)
+        again, noise = refine(simpler, points, sheet.reach, judged.drawn)
         if plausible(again, 0.0):
             better = judge(again, strict)
             if better.score >= judged.score - 0.01:
                 simpler, judged = again, better
-    if judged.lines == "wire":
+    if judged.lines == "wire" and traced.group.pieces > 1:
         # a wide reach bridges the gaps of dashes; and only a front that is seen whole can be in front
         for way in (simpler, simpler.swapped()):
             if is_dashed(way, strict):

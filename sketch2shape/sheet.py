@@ -31,12 +31,14 @@ class Group:
     offset : (2,) float, where its pixel (0, 0) lies on the sheet
     solid  : (h, w) bool, ink of pieces too large to be letters or dashes
     size   : diagonal of the group's bounding box, pixels
+    pieces : how many connected pieces the ink is in
     """
 
     ink: Ink
     offset: Floats
     solid: Bools
     size: float
+    pieces: int
 
 
 def split_groups(ink: Ink, most: int = 12) -> list[Group]:
@@ -112,7 +114,7 @@ def _cut(ink: Ink, corner: Floats, pieces: Pieces, mine: Bools, box: tuple[int, 
     frame = (slice(y0 - MARGIN, y1 + MARGIN), slice(x0 - MARGIN, x1 + MARGIN))
     mask, solid = (_pixels_of(pieces, some)[frame] for some in (mine, large))
     own = replace(ink, mask=mask, strength=ink.strength[frame])
-    return Group(own, corner + [x0 - MARGIN, y0 - MARGIN], solid, size)
+    return Group(own, corner + [x0 - MARGIN, y0 - MARGIN], solid, size, int(np.count_nonzero(mine)))
 
 
 def _pixels_of(pieces: Pieces, some: Bools) -> Bools:

@@ -7,7 +7,7 @@ and many cost little each.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import islice
+from itertools import chain, islice
 
 import numpy as np
 
@@ -20,6 +20,10 @@ MOST_HYPOTHESES = 160
 """Hypotheses of one source that are looked at."""
 PERFECT = 0.995
 """Score that leaves nothing to be found."""
+FIRST = 4
+"""Hypotheses of the first batch for each that is enough."""
+PLAIN = 1.0
+"""How much connecting edges may differ, as a part of the reach, where the back face is the front face moved."""
 LARGEST_BATCH = 24
 """Hypotheses that are judged together."""
 SHALLOWEST = 2.5
@@ -31,17 +35,32 @@ Judged = tuple[Rings, Evidence]
 
 
 def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], enough: int = SHORTLIST) -> list[Judged]:
-    """The best few of the hypotheses and those already known; enough nearly perfect ones end the search."""
+    """The best few of the hypotheses and those already known; enough nearly perfect ones end the search.
+
+    One is enough if its faces are alike: no other explains a drawing in a plainer way.
+    """
     judged, perfect = list(known), 0
-    for fresh in verified(islice(hypotheses, MOST_HYPOTHESES), sheet, 4 * enough):
-        judged.append(fresh)
-        perfect += fresh[1].score > PERFECT
-        if perfect >= enough:
+    for batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, FIRST * enough):
+        judged += batch
+        best = [rings for rings, evidence in batch if evidence.score > PERFECT]
+        perfect += len(best)
+        if perfect >= enough or any(_is_plain(rings, PLAIN * sheet.reach) for rings in best):
             break
     return sorted(judged, key=lambda j: -j[1].score)[:SHORTLIST]
 
 
-def verified(hypotheses: Iterable[Rings], sheet: Sheet, first: int = LARGEST_BATCH) -> Iterator[Judged]:
+def _is_plain(rings: Rings, slack: float) -> bool:
+    """Whether the back face is the front face moved, to within slack pixels."""
+    way = np.concatenate(rings.back) - np.concatenate(rings.front)
+    return bool(np.ptp(way, axis=0).max() <= slack)
+
+
+def verified(hypotheses: Iterable[Rings], sheet: Sheet) -> Iterator[Judged]:
+    """Those of the hypotheses that could be an object, judged, in their order."""
+    return chain.from_iterable(_batches(hypotheses, sheet, LARGEST_BATCH))
+
+
+def _batches(hypotheses: Iterable[Rings], sheet: Sheet, first: int) -> Iterator[list[Judged]]:
     """Those of the hypotheses that could be an object, judged, in their order.
 
     first : size of the first batch; each is twice as large as the one before
@@ -57,7 +76,7 @@ def verified(hypotheses: Iterable[Rings], sheet: Sheet, first: int = LARGEST_BAT
             if key not in seen and np.isfinite(vertices).all():
                 seen.add(key)
                 fresh.append(rings)
-        yield from _judged(fresh, sheet)
+        yield _judged(fresh, sheet)
 
 
 def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
@@ -68,6 +87,8 @@ def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
         apart = alike.faces[:, 1] - alike.faces[:, 0]
         deep = np.hypot(apart[..., 0], apart[..., 1]).max(axis=1) >= SHALLOWEST * sheet.reach
         ok = np.flatnonzero(which_plausible(alike, 1.5 * sheet.pen) & deep)
-        ok = ok[most_possible(alike.some(ok), sheet) >= LEAST]
-        found.update(zip([index[k] for k in ok], judge_stack(alike.some(ok), sheet), strict=True))
+        if len(ok):
+            ok = ok[most_possible(alike.some(ok), sheet) >= LEAST]
+        if len(ok):
+            found.update(zip([index[k] for k in ok], judge_stack(alike.some(ok), sheet), strict=True))
     return [(batch[k], found[k]) for k in sorted(found)]

@@ -12,11 +12,12 @@ from itertools import groupby
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from sketch2shape.model import Bools, Floats, Ints, Lines
 from sketch2shape.rings import Frame, Rings, Stack, frame, stack
 from sketch2shape.strokes import Skeleton, project, thinned
-from sketch2shape.visibility import edge_samples, hidden_depth, hidden_samples
+from sketch2shape.visibility import edge_samples, hidden_depth, hidden_samples, looked_up
 
 STYLES: tuple[Lines, Lines, Lines] = ("wire", "dashed", "removed")
 MOST_POINTS = 2000
@@ -80,10 +81,9 @@ class Sheet:
         return float(self.weights.sum()) * self.step + 1e-9
 
     @cached_property
-    def near(self) -> Bools:
-        """(h + 2, w + 2) bool, pixels within reach of the skeleton; nothing is near outside the picture."""
-        near = cv2.copyMakeBorder(self.skeleton.near(self.reach), 1, 1, 1, 1, cv2.BORDER_CONSTANT)
-        return np.asarray(near, np.uint8).view(np.bool_)
+    def near(self) -> NDArray[np.uint8]:
+        """(h, w) uint8, 1 within reach of the skeleton."""
+        return self.skeleton.near(self.reach)
 
     @cached_property
     def places(self) -> Ints:
@@ -92,12 +92,9 @@ class Sheet:
         return np.asarray(at[:, 1] * self.skeleton.mask.shape[1] + at[:, 0])
 
     def inked(self, points: Floats) -> Bools:
-        """Whether points (..., 2) are within reach of the ink, (...) bool."""
-        h, w = self.skeleton.mask.shape
-        at = np.rint(points)
-        x = np.clip(at[..., 0] + 1, 0, w + 1)
-        y = np.clip(at[..., 1] + 1, 0, h + 1)
-        return np.asarray(self.near.ravel().take((y * (w + 2) + x).astype(np.intp)))
+        """Whether points (..., k, 2) are within reach of the ink, (..., k) bool; nothing is outside the picture."""
+        at = points.reshape(-1, *points.shape[-2:]).astype(np.float32)
+        return looked_up(self.near, at).view(np.bool_).reshape(points.shape[:-1])
 
 
 def most_possible(stacked: Stack, sheet: Sheet) -> Floats:

@@ -75,14 +75,14 @@ def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) ->
         inside, thin = _interior([outline[a:b] for a, b in stacked.frame.spans], sizes[k], rims[k])
         # the near end of the way back lies on the outline itself, the far end is the point: its own cap counts too
         ways = (start[k] + _STEPS * way[k]).reshape(len(_STEPS), -1, 2)
-        depth[k, backs] = _looked_up(inside, ways).max(axis=0).reshape(m, -1)
-        met[k] = _looked_up(thin, rungs[k])
+        depth[k, backs] = looked_up(inside, ways).max(axis=0).reshape(m, -1)
+        met[k] = looked_up(thin, rungs[k])
     met[near] = 0
     depth[:, stacked.frame.rungs] = np.maximum.accumulate(met, axis=2)[..., _EVERY]
     return depth
 
 
-def _looked_up(raster: NDArray[np.uint8], at: NDArray[np.float32]) -> NDArray[np.uint8]:
+def looked_up(raster: NDArray[np.uint8], at: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Values of the raster at points (r, c, 2), (r, c); 0 outside."""
     # the second map may be None, whatever OpenCV's type hints say
     seen = cv2.remap(raster, at, None, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT)  # type: ignore[call-overload]

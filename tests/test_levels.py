@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sketch2shape.levels import above, counts_of, percentile, quantile
+from sketch2shape.levels import counts_of, percentile
 
 
 def test_every_level_is_counted() -> None:
@@ -20,16 +20,3 @@ def test_every_level_is_counted() -> None:
 def test_percentiles_are_those_of_numpy(count: int, percent: float) -> None:
     values = np.random.default_rng(count).integers(0, 256, count).astype(np.uint8)
     assert percentile(values, percent) == pytest.approx(float(np.percentile(values, percent)))
-
-
-@pytest.mark.parametrize("count", [1, 2, 40])
-@pytest.mark.parametrize("share", [0.0, 0.12, 0.95, 1.0])
-def test_quantiles_are_those_of_numpy(count: int, share: float) -> None:
-    values = np.sort(np.random.default_rng(count).random(count))
-    assert quantile(values, share) == pytest.approx(float(np.quantile(values, share)))
-
-
-@pytest.mark.parametrize("level", [0, 7.0, 7.5, 254.9, 255, 400.0])
-def test_above_a_level_between_bytes(level: float) -> None:
-    gray = np.arange(256, dtype=np.uint8)
-    assert np.array_equal(above(gray, level), gray.astype(float) > level)
