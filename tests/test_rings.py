@@ -17,12 +17,12 @@ def test_vertices_split_into_the_rings_they_came_from():
         )
 
 
-def test_after_and_behind_follow_each_ring():
+def test_after_and_the_backs_edges_follow_each_ring():
     two = frame((4, 3))
     assert two.after.tolist() == [1, 2, 3, 0, 5, 6, 4]
     assert two.spans == ((0, 4), (4, 7))
-    # edges among the first seven vertices are the front's, and nothing else is
-    assert ((two.edges < 7).all(axis=1) == ~two.behind).all()
+    # edges among the last seven vertices are the back's, and nothing else is
+    assert np.flatnonzero((two.edges >= 7).all(axis=1)).tolist() == two.backs.tolist()
 
 
 def test_what_cannot_be_the_faces_of_an_object():
