@@ -91,28 +91,34 @@ def scale_integers(samples: NDArray[Any]) -> Pixels:
 
 def over_ground(rgba: NDArray[np.uint8]) -> Pixels:
     """Composite (h, w, 4) over white, or over black where the drawing is light ink on transparency."""
-    ground = 0.0 if _light_ink(rgba) else 255.0
+    light = _light_ink(rgba)
     out = np.empty((*rgba.shape[:2], 3), np.uint8)
     for rows in _bands(len(rgba)):
-        alpha = rgba[rows, :, 3:].astype(np.float32) / 255
-        out[rows] = np.rint(rgba[rows, :, :3] * alpha + ground * (1 - alpha))
+        *colours, alpha = cv2.split(rgba[rows])
+        if light:
+            out[rows] = cv2.merge([cv2.multiply(c, alpha, scale=1 / 255) for c in colours])
+        else:  # white less what the picture takes from it
+            taken = [cv2.multiply(cv2.bitwise_not(c), alpha, scale=1 / 255) for c in colours]
+            out[rows] = cv2.bitwise_not(cv2.merge(taken))
     return out
 
 
 def _bands(height: int, step: int = 512) -> list[slice]:
-    """Row ranges, so that float copies of large pictures stay small."""
+    """Row ranges, so that copies of large pictures stay small."""
     return [slice(y, y + step) for y in range(0, height, step)]
 
 
 def _light_ink(rgba: NDArray[np.uint8]) -> bool:
     """Whether the picture is mostly transparent and what is drawn on it would vanish on white."""
     stride = max(1, int(np.sqrt(rgba.shape[0] * rgba.shape[1] / 4e6)))
-    sample = rgba[::stride, ::stride].reshape(-1, 4).astype(np.float32)
-    alpha = sample[:, 3] / 255
-    total = float(alpha.sum())
-    if total == 0 or float((alpha < 0.5).mean()) < _TRANSPARENT_PART:
+    sample = rgba[::stride, ::stride]
+    opacity = np.asarray(cv2.extractChannel(sample, 3), np.uint8)
+    if np.count_nonzero(opacity < 128) < _TRANSPARENT_PART * opacity.size or not opacity.any():
         return False
-    luminance = sample[:, :3] @ np.array([0.299, 0.587, 0.114], np.float32)
+    shown = sample[opacity > 0].astype(np.float32)
+    alpha = shown[:, 3] / 255
+    total = float(alpha.sum())
+    luminance = shown[:, :3] @ np.array([0.299, 0.587, 0.114], np.float32)
     mean = float(luminance @ alpha) / total
     dark = float(alpha[luminance < 128].sum()) / total
     return mean > _LIGHT and dark < _DARK_PART
