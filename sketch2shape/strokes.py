@@ -224,6 +224,8 @@ def _merge(lines: _Lines, tolerance: float, bow: float, bridge: float) -> _Lines
     new = len(lines.inked)
     while True:
         i, j = _close_pairs(lines, new, tolerance, bridge)
+        if not len(i):
+            return lines
         ends, fits = _joined(lines, i, j, tolerance, bow)
         free = [True] * len(lines.inked)
         chosen = []
