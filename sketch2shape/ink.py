@@ -44,15 +44,15 @@ def find_ink(picture: Picture) -> Ink:
     """
     ground = read_ground(picture.pixels)
     scale = ground.scale / picture.reduction
-    contrast, noise, page, on_page = ground.contrast, ground.noise, None, None
+    contrast, noise, page = ground.contrast, ground.noise, None
+    marks = paper_marks(contrast)
     if ground.paper is not None:
-        marked = max(FLOOR, 5.0 * noise, paper_marks(contrast))
-        on_page, corners = find_page(ground.paper, ink_mask(contrast, marked))
+        least = np.full_like(contrast, min(int(max(FLOOR, 5.0 * noise, marks)), 255))
+        on_page, corners = find_page(ground.paper, _near_peak(contrast, least, least, 9, 0.5))
         if on_page is not None:
             contrast = contrast * on_page
-            noise = noise_of(contrast, on_page)
+            noise, marks = noise_of(contrast, on_page), paper_marks(contrast, on_page)
         page = None if corners is None else _rectification(corners, scale, picture)
-    marks = paper_marks(contrast, on_page)
     floor = max(FLOOR, 5.0 * noise, marks)
     contrast = without_bands(contrast, floor)
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros_like(contrast)
