@@ -21,6 +21,9 @@ from sketch2shape.regions import Region, reductions, sharpened
 from sketch2shape.rings import Rings
 from sketch2shape.separate import CornerGraph
 
+PULL = 2.5
+"""How far off its place, over the tolerance of the corners, the end of a rung may pull the back face's vertex."""
+
 
 def snap(outline: Floats, graph: CornerGraph, reach: float) -> tuple[Ints, Floats]:
     """Outline with its vertices moved to the corners of the drawing.
@@ -136,16 +139,24 @@ def _from_region(graph: CornerGraph, region: Region, most: int = 24) -> Iterator
 
 def _swept(ring: Floats, islands: tuple[Floats, ...], rungs: Rungs, graph: CornerGraph, most: int) -> Iterator[Rings]:
     """The ring with its images under the maps that its rungs suggest, the best first."""
-    for h in _maps(ring, rungs, graph, most):
-        back = homology.apply(h, ring)
-        if not np.isfinite(back).all():
-            continue
-        yield Rings((ring,), (back,))
+    maps = _maps(ring, rungs, graph, most)
+    backs = homology.apply(maps, ring)
+    missed = backs[:, rungs.vertex] - rungs.end
+    off = np.hypot(missed[..., 0], missed[..., 1])
+    pulls = off < PULL * graph.tolerance
+    finite = np.asarray(np.isfinite(backs).all(axis=(1, 2)))
+    moves = np.asarray((pulls & (off >= 1.0)).any(axis=1))
+    for k in np.flatnonzero(finite).tolist():
+        yield Rings((ring,), (backs[k],))
         if islands:
-            yield Rings((ring, *islands), (back, *(homology.apply(h, p) for p in islands)))
-        pulled = _pulled(ring, back, rungs, graph)
-        if pulled is not None:
-            yield Rings((ring,), (pulled,))
+            yield Rings((ring, *islands), (backs[k], *(homology.apply(maps[k], p) for p in islands)))
+        if moves[k]:
+            near = np.flatnonzero(pulls[k])
+            # of the rungs at one vertex the closest comes last and stays
+            near = near[np.argsort(-off[k, near], kind="stable")]
+            pulled = _pulled(ring, backs[k], Rungs(rungs.vertex[near], rungs.end[near]), graph)
+            if pulled is not None:
+                yield Rings((ring,), (pulled,))
 
 
 def _pulled(ring: Floats, back: Floats, rungs: Rungs, graph: CornerGraph) -> Floats | None:
@@ -153,25 +164,20 @@ def _pulled(ring: Floats, back: Floats, rungs: Rungs, graph: CornerGraph) -> Flo
 
     Back vertices without a rung follow from the map through those that have one. None if nothing moves.
     """
-    off = np.linalg.norm(back[rungs.vertex] - rungs.end, axis=1)
-    # of the rungs at one vertex the closest comes last and stays
-    order = np.argsort(-off, kind="stable")
-    order = order[off[order] < 2.5 * graph.tolerance]
-    if not len(order) or off[order].max() < 1.0:
-        return None
     pulled, seen = back.copy(), np.zeros(len(ring), bool)
-    pulled[rungs.vertex[order]] = rungs.end[order]
-    seen[rungs.vertex[order]] = True
-    best = np.linalg.norm(pulled - back, axis=1)
-    if best[seen].max() < 1.0:
+    pulled[rungs.vertex] = rungs.end
+    seen[rungs.vertex] = True
+    way = pulled - back
+    if np.hypot(way[:, 0], way[:, 1]).max() < 1.0:
         return None
     rest = ~seen
     if rest.any():
         src, dst = ring[seen], pulled[seen]
-        fit = homology.similarity(src, dst) if seen.sum() > 1 else homology.translation((dst - src).mean(axis=0))
+        fit = homology.similarity(src, dst) if len(src) > 1 else homology.translation((dst - src)[0])
         pulled[rest] = homology.apply(fit, ring[rest])
         if len(graph.points):
-            near = np.linalg.norm(pulled[rest, None] - graph.points[None], axis=2)
+            gap = pulled[rest, None] - graph.points
+            near = np.hypot(gap[..., 0], gap[..., 1])
             close = near.min(axis=1) < graph.tolerance
             pulled[np.flatnonzero(rest)[close]] = graph.points[near.argmin(axis=1)[close]]
     return pulled

@@ -69,13 +69,17 @@ class Frame:
 
     edges  : (3m, 2) int, front, back and connecting edges of each ring in turn
     after  : (m,) int, the next vertex of the same ring
-    backs  : (m,) int, the edges of the back
+    before : (m,) int, the one before
+    fronts : (m,) int, the edges of the front, in the order of the vertices they start from
+    backs  : (m,) int, the edges of the back, in the same order
     rungs  : (m,) int, the connecting edges, in the order of the vertices they start from
     spans  : start and end of each ring
     """
 
     edges: Ints
     after: Ints
+    before: Ints
+    fronts: Ints
     backs: Ints
     rungs: Ints
     spans: tuple[tuple[int, int], ...]
@@ -87,10 +91,9 @@ def frame(sizes: tuple[int, ...]) -> Frame:
     starts = np.cumsum([0, *sizes]).tolist()
     spans = tuple(pairwise(starts))
     after = np.concatenate([np.r_[a + 1 : b, a] for a, b in spans])
-    backs = np.flatnonzero(np.concatenate([np.repeat([0, 1, 0], n) for n in sizes]))
-    edges = ring_edges(list(sizes))
-    rungs = np.flatnonzero(edges[:, 1] - edges[:, 0] == sum(sizes))
-    return Frame(edges, after, backs, rungs, spans)
+    kind = np.concatenate([np.repeat([0, 1, 2], n) for n in sizes])
+    fronts, backs, rungs = (np.flatnonzero(kind == k) for k in range(3))
+    return Frame(ring_edges(list(sizes)), after, np.argsort(after), fronts, backs, rungs, spans)
 
 
 @dataclass(frozen=True)

@@ -151,10 +151,17 @@ def _same_turn(src: Floats, dst: Floats) -> Bools:
 
 def _matches(graph: CornerGraph, rungs: Ints, maps: Floats) -> Bools:
     """(maps, rungs): whether the map carries the rung's first corner onto its second."""
-    image = homology.apply(maps, graph.points)
-    with np.errstate(invalid="ignore"):
-        off = image[:, rungs[:, 0]] - graph.points[rungs[:, 1]]
-        return np.asarray(off[..., 0] ** 2 + off[..., 1] ** 2 <= graph.tolerance**2)
+    image = homology.apply(maps, graph.points).astype(np.float32)
+    first, (x, y) = rungs[:, 0], graph.points[rungs[:, 1]].T.astype(np.float32)
+    with np.errstate(invalid="ignore", over="ignore"):
+        dx = image[..., 0].take(first, axis=1)
+        dx -= x
+        dy = image[..., 1].take(first, axis=1)
+        dy -= y
+        dx *= dx
+        dy *= dy
+        dx += dy
+        return np.asarray(dx <= graph.tolerance**2)
 
 
 def _best_maps(graph: CornerGraph, rungs: Ints, links: Bools, maps: Floats, most: int) -> Floats:

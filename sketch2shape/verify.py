@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
+from itertools import groupby, pairwise
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -137,67 +138,76 @@ def judge_all(rings: list[Rings], sheet: Sheet) -> list[Evidence]:
 
 def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     """Compare hypotheses with rings of the same sizes with the drawing."""
-    points, base = edge_samples(stacked)
+    points = edge_samples(stacked)
     near = sheet.inked(points)
-    depth = hidden_depth(stacked, points, base, 1.5 * sheet.reach)
+    depth = hidden_depth(stacked, points, 1.5 * sheet.reach)
     v, edges = stacked.vertices, stacked.frame.edges
     span = v[:, edges[:, 1]] - v[:, edges[:, 0]]
-    lengths = np.sqrt(np.einsum("...k,...k", span, span))
+    lengths = np.hypot(span[..., 0], span[..., 1])
     hidden = depth == 2
-    style = _line_styles(near, hidden, lengths)
-    wire, dashed, removed = ((style == k)[:, None, None] for k in range(3))
-    wanted = wire | ~_grown(depth >= 1, lengths, 5 * sheet.reach)
-    support, weakest = _support(near, wanted, lengths)
-    behind, faintest = _support(near, hidden, lengths)
-    with_dashes = np.minimum(support, 0.6 * support + 0.4 * np.minimum(1.0, behind / 0.45))
-    support = np.where(dashed[:, 0, 0], with_dashes, support)
-    shown = wanted | ~removed
-    explained = np.array([_explained(points[k], shown[k], sheet) for k in range(len(stacked))])
+    behind = _inked_part(near, hidden, lengths)
+    style = _line_styles(behind, lengths)
+    wire, dashed, removed = style == 0, style == 1, style == 2
+    wanted = wire[:, None, None] | ~_grown(depth >= 1, lengths, 5 * sheet.reach)
+    support, weakest = _support(_inked_part(near, wanted, lengths), wanted.all(axis=2), lengths)
+    dashes, faintest = _support(behind, hidden.all(axis=2), lengths)
+    with_dashes = np.minimum(support, 0.6 * support + 0.4 * np.minimum(1.0, dashes / 0.45))
+    support = np.where(dashed, with_dashes, support)
+    shown = wanted | ~removed[:, None, None]
+    explained = _explained(points, shown, sheet)
     drawn = _drawn(near & shown, stacked.frame)
     score = 2 * support * explained / (support + explained + 1e-9)
     score *= np.minimum(1.0, 0.5 + 0.5 * weakest / 0.75)
     # who dashes hidden edges dashes all of them
-    score *= np.where(dashed[:, 0, 0], np.minimum(1.0, 0.85 + 0.15 * faintest / 0.25), 1.0)
+    score *= np.where(dashed, np.minimum(1.0, 0.85 + 0.15 * faintest / 0.25), 1.0)
     # a face alone, with all that would make it an object hidden behind it
     score *= np.where(drawn.sum(axis=1) < 2, 0.4, 1.0)
-    return [
-        Evidence(float(score[k]), float(support[k]), float(explained[k]), float(weakest[k]), STYLES[style[k]], drawn[k])
-        for k in range(len(stacked))
-    ]
+    figures = (x.tolist() for x in (score, support, explained, weakest))
+    lines = [STYLES[k] for k in style.tolist()]
+    return [Evidence(a, b, c, d, e, f) for a, b, c, d, e, f in zip(*figures, lines, drawn, strict=True)]
 
 
 def _grown(hidden: Bools, lengths: Floats, margin: float) -> Bools:
     """Hidden samples and those within margin pixels of one: where a line dives behind a contour, nobody can say."""
     n = hidden.shape[2]
-    count = np.ceil(margin * n / (lengths + 1e-9)).astype(np.intp)[..., None]
-    total = np.zeros((*hidden.shape[:2], n + 1), np.intp)
-    np.cumsum(hidden, axis=2, out=total[..., 1:])
-    at = np.arange(n)
-    low = np.maximum(at - count, 0)
-    high = np.minimum(at + count + 1, n)
-    return np.asarray(np.take_along_axis(total, high, axis=2) > np.take_along_axis(total, low, axis=2))
+    count = np.ceil(margin * n / (lengths + 1e-9))[..., None]
+    at = np.arange(float(n))
+    last = np.maximum.accumulate(np.where(hidden, at, -np.inf), axis=2)
+    after = np.minimum.accumulate(np.where(hidden, at, np.inf)[..., ::-1], axis=2)[..., ::-1]
+    return np.asarray((at - last <= count) | (after - at <= count))
 
 
-def _support(near: Bools, wanted: Bools, lengths: Floats) -> tuple[Floats, Floats]:
-    """(b,) part of the wanted length that is inked, and (b,) the same for the weakest edge; 1 if nothing is wanted."""
-    n = near.shape[2]
-    total = wanted.sum(axis=2) * lengths / n
-    inked = (near & wanted).sum(axis=2) * lengths / n
+class _InkedPart(NamedTuple):
+    """Of the wanted samples of edges, (b, 3m) float, pixels: the length of all and of those with ink."""
+
+    total: Floats
+    inked: Floats
+
+
+def _inked_part(near: Bools, wanted: Bools, lengths: Floats) -> _InkedPart:
+    each = lengths / near.shape[2]
+    return _InkedPart(wanted.sum(axis=2) * each, (near & wanted).sum(axis=2) * each)
+
+
+def _support(part: _InkedPart, whole: Bools, lengths: Floats) -> tuple[Floats, Floats]:
+    """(b,) part of the wanted length that is inked, and (b,) the same for the weakest edge; 1 if nothing is wanted.
+
+    whole : (b, 3m), edges that are wanted from end to end
+    """
     # what is left of a partly hidden edge must be long enough to tell
-    notable = total > np.where(wanted.all(axis=2), 0.03, 0.12) * lengths.max(axis=1, keepdims=True)
-    weakest = np.where(notable, inked / (total + 1e-9), 1.0).min(axis=1)
-    every = total.sum(axis=1)
+    notable = part.total > np.where(whole, 0.03, 0.12) * lengths.max(axis=1, keepdims=True)
+    weakest = np.where(notable, part.inked / (part.total + 1e-9), 1.0).min(axis=1)
+    every = part.total.sum(axis=1)
     nothing = every <= 0
-    return np.where(nothing, 1.0, inked.sum(axis=1) / np.where(nothing, 1.0, every)), np.where(nothing, 1.0, weakest)
+    support = np.where(nothing, 1.0, part.inked.sum(axis=1) / np.where(nothing, 1.0, every))
+    return support, np.where(nothing, 1.0, weakest)
 
 
-def _line_styles(near: Bools, hidden: Bools, lengths: Floats) -> Ints:
+def _line_styles(hidden: _InkedPart, lengths: Floats) -> Ints:
     """(b,) index into STYLES, from how much of the hidden length is inked: nearly all, some, or little."""
-    n = near.shape[2]
-    length = (hidden.sum(axis=2) * lengths).sum(axis=1)
-    inked = ((near & hidden).sum(axis=2) * lengths).sum(axis=1)
-    share = inked / (length + 1e-9)
-    few = length < 0.02 * n * lengths.sum(axis=1)
+    length = hidden.total.sum(axis=1)
+    share = hidden.inked.sum(axis=1) / (length + 1e-9)
+    few = length < 0.02 * lengths.sum(axis=1)
     return np.where(few | (share > 0.93), 0, np.where(share > 0.3, 1, 2))
 
 
@@ -218,38 +228,42 @@ def is_dashed(rings: Rings, sheet: Sheet) -> bool:
     return bool(np.median(density[back & long]) < 0.8 * np.median(density[front & long]))
 
 
-def _explained(points: Floats, shown: Bools, sheet: Sheet) -> float:
-    """Weighted part of the skeleton within reach of the shown parts of the edges (points: their samples)."""
+def _explained(points: Floats, shown: Bools, sheet: Sheet) -> Floats:
+    """(b,) weighted part of the skeleton within reach of the shown parts of the edges (points: their samples)."""
+    found = np.zeros(len(points))
     if not len(sheet.points):
-        return 0.0
+        return found
     thickness = max(1, int(2 * sheet.reach + 1.5))
-    step = (points[:, 1] - points[:, 0]) / 2
-    low, high = points - step[:, None], points + step[:, None]
-    whole = shown.all(axis=1)
-    runs = [np.stack([low[whole, 0], high[whole, -1]], axis=1)]
-    for edge in np.flatnonzero(~whole & shown.any(axis=1)):
-        runs += [np.array([[low[edge, a], high[edge, b]]]) for a, b in _runs(shown[edge])]
+    weights = sheet.weights / sheet.weights.sum()
     canvas = np.zeros(sheet.skeleton.mask.shape, np.uint8)
-    segments = np.clip(np.rint(np.concatenate(runs)), -30000, 30000).astype(np.int32)
-    cv2.polylines(canvas, list(segments), False, 1, thickness)
-    hit = canvas.ravel().take(sheet.places)
-    return float(hit @ sheet.weights / sheet.weights.sum())
+    owner, edge, first, last = _runs(shown)
+    half = (points[:, :, 1] - points[:, :, 0]) / 2
+    runs = np.stack([points[owner, edge, first] - half[owner, edge], points[owner, edge, last] + half[owner, edge]], 1)
+    segments = np.clip(np.rint(runs), -30000, 30000).astype(np.int32)
+    cuts = np.searchsorted(owner, np.arange(len(points) + 1)).tolist()
+    for k, (a, b) in enumerate(pairwise(cuts)):
+        canvas.fill(0)
+        cv2.polylines(canvas, list(segments[a:b]), False, 1, thickness)
+        found[k] = canvas.ravel().take(sheet.places) @ weights
+    return found
 
 
-def _runs(show: Bools) -> list[tuple[int, int]]:
-    """First and last index of every run of True."""
-    flips = np.flatnonzero(np.diff(np.concatenate([[False], show, [False]]).astype(np.int8)))
-    return [(int(a), int(b) - 1) for a, b in flips.reshape(-1, 2)]
+def _runs(show: Bools) -> tuple[Ints, ...]:
+    """Every run of True along the last axis of show (b, e, n), (k,) each: its b, its e, its first and last index."""
+    b, e, n = show.shape
+    padded = np.zeros((b, e, n + 2), bool)
+    padded[..., 1:-1] = show
+    flat = padded.ravel()
+    flips = np.flatnonzero(flat[1:] != flat[:-1]).reshape(-1, 2)
+    row, first = np.divmod(flips[:, 0], n + 2)
+    return row // e, row % e, first, flips[:, 1] % (n + 2) - 1
 
 
 def _drawn(lit: Bools, frame: Frame) -> Bools:
     """(b, m) back vertices at which at least two shown edge ends have ink (lit: samples shown and inked)."""
-    half = len(frame.after)
-    at = np.arange(2 * half)
-    first, last = lit[..., :10].mean(axis=2) > 0.3, lit[..., -10:].mean(axis=2) > 0.3
-    starts, ends = frame.edges[:, :1] == at, frame.edges[:, 1:] == at
-    count = first.astype(np.float32) @ starts.astype(np.float32) + last.astype(np.float32) @ ends.astype(np.float32)
-    return np.asarray(count[:, half:] >= 2)
+    first, last = lit[..., :10].sum(axis=2) > 3, lit[..., -10:].sum(axis=2) > 3
+    starts, ends, rungs = first[:, frame.backs], last[:, frame.backs[frame.before]], last[:, frame.rungs]
+    return np.asarray((starts & ends) | (starts & rungs) | (ends & rungs))
 
 
 def skeleton_sheet(skeleton: Skeleton, weights: Floats, reach: float) -> Sheet:

@@ -32,43 +32,42 @@ _ALONG = ((np.arange(SAMPLES) + 0.5) / SAMPLES)[:, None]
 _STEPS = np.linspace(0.0, 1.0, WAY_BACK, dtype=np.float32)[:, None, None, None]
 
 
-def edge_samples(stacked: Stack) -> tuple[Floats, Floats]:
-    """Points along every edge and the points of the front face they come from: both (b, 3m, SAMPLES, 2)."""
-    edges, half = stacked.frame.edges, stacked.vertices.shape[1] // 2
-    v = stacked.vertices
-    a, base = v[:, edges[:, 0], None], v[:, edges[:, 0] % half, None]
-    points = a + _ALONG * (v[:, edges[:, 1], None] - a)
-    return points, base + _ALONG * (v[:, edges[:, 1] % half, None] - base)
+def edge_samples(stacked: Stack) -> Floats:
+    """Points along every edge, (b, 3m, SAMPLES, 2) pixels."""
+    edges, v = stacked.frame.edges, stacked.vertices
+    a = v[:, edges[:, 0], None]
+    return np.asarray(a + _ALONG * (v[:, edges[:, 1], None] - a))
 
 
 def hidden_samples(rings: Rings, margin: float) -> tuple[Bools, Bools]:
     """Which edge samples lie behind the object, surely and perhaps: both (3m, SAMPLES) bool (see `hidden_depth`)."""
     one = stack([rings])
-    depth = hidden_depth(one, *edge_samples(one), margin)[0]
+    depth = hidden_depth(one, edge_samples(one), margin)[0]
     return depth == 2, depth >= 1
 
 
-def hidden_depth(stacked: Stack, points: Floats, base: Floats, margin: float) -> NDArray[np.uint8]:
+def hidden_depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.uint8]:
     """(b, 3m, SAMPLES) uint8: 2 for edge samples that surely lie behind the object, 1 for those that perhaps do.
 
-    points, base : of `edge_samples`
-    margin       : pixels. What lies deeper than this behind the outline is surely hidden; what is shallower may be a
-                   matter of the pen
+    points : of `edge_samples`
+    margin : pixels. What lies deeper than this behind the outline is surely hidden; what is shallower may be a matter
+             of the pen
     """
-    v, backs = stacked.vertices, stacked.frame.backs
+    v, fronts, backs = stacked.vertices, stacked.frame.fronts, stacked.frame.backs
     low = np.floor(v.min(axis=1)) - 3
     high = np.ceil(v.max(axis=1)) + 3
     factor = np.minimum(1.0, RASTER / np.maximum((high - low).max(axis=1), 1.0))[:, None, None]
-    start = ((base[:, backs] - low[:, None, None]) * factor[..., None]).astype(np.float32)
-    way = ((points - base)[:, backs] * factor[..., None]).astype(np.float32)
+    # a point of an edge of the back comes from the same point of the front's
+    start = ((points[:, fronts] - low[:, None, None]) * factor[..., None]).astype(np.float32)
+    way = ((points[:, backs] - points[:, fronts]) * factor[..., None]).astype(np.float32)
     vertices = (v - low[:, None]) * factor
     m = len(backs)
     outlines = np.rint(vertices[:, :m]).astype(np.int32)
-    rungs = vertices[:, :m, None] + _FINE[:, None] * (vertices[:, m:] - vertices[:, :m])[:, :, None]
-    rungs = rungs.astype(np.float32)
+    deep = vertices[:, m:] - vertices[:, :m]
+    rungs = (vertices[:, :m, None] + _FINE[:, None] * deep[:, :, None]).astype(np.float32)
     rims = np.maximum(1, np.rint(margin * factor[:, 0, 0])).astype(int).tolist()
     sizes = (((high - low) * factor[:, 0]).astype(int) + 1).tolist()
-    near = _FINE * np.hypot(*np.moveaxis(vertices[:, m:] - vertices[:, :m], -1, 0))[..., None] < AT_LEAST
+    near = _FINE * np.hypot(deep[..., 0], deep[..., 1])[..., None] < AT_LEAST
     depth = np.zeros(points.shape[:3], np.uint8)
     met = np.empty((len(v), m, SAMPLES * FINE), np.uint8)
     for k, outline in enumerate(outlines):
