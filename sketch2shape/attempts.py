@@ -101,24 +101,31 @@ class _Look:
         return corner_graph(traced.skeleton, points, self.round.reach)
 
     @cached_property
-    def is_see_through(self) -> bool:
-        across = crossed(self.traced.strokes, self.traced.skeleton.pen_width + self.round.trace / 2)
-        return len(across) >= SEE_THROUGH
+    def crossed(self) -> int:
+        """How often strokes run across each other."""
+        return len(crossed(self.traced.strokes, self.traced.skeleton.pen_width + self.round.trace / 2))
 
     @cached_property
     def wires(self) -> Attempt:
         """With all edges drawn."""
-        # within the width of a ruled line there is no second answer to a wireframe
-        enough = 1 if self.round.reach <= RULED else SHORTLIST
-        return self._attempt(shortlist(wire_hypotheses(self.graph), self.sheet, [], enough))
+        return self._with_wires([])
 
     def attempt(self) -> Attempt:
         """With all edges drawn or, if that is not good, with the hidden ones dashed or missing."""
-        found, regions, pen = self.wires, self.traced.regions, self.traced.skeleton.pen_width
+        found, regions, pen = self._attempt([]), self.traced.regions, self.traced.skeleton.pen_width
+        # hidden edges of ruled lines cross others
+        is_opaque = self.crossed == 0 and self.traced.wobble <= UNSTEADY
+        if not is_opaque:
+            found = self.wires
         for source in (caps.caps, caps.loose_caps)[: 1 + self.round.loose]:
             if found.score < GOOD:
                 found = self._attempt(shortlist(source(self.graph, regions, pen), self.sheet, found.shortlist))
-        return found
+        return self._with_wires(found.shortlist) if is_opaque and found.score < GOOD else found
+
+    def _with_wires(self, known: list[Judged]) -> Attempt:
+        # within the width of a ruled line there is no second answer to a wireframe
+        enough = 1 if self.round.reach <= RULED else SHORTLIST
+        return self._attempt(shortlist(wire_hypotheses(self.graph), self.sheet, known, enough))
 
     def _attempt(self, found: list[Judged]) -> Attempt:
         return Attempt(self.number, self.traced, found, self.sheet)
@@ -142,7 +149,7 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     """Round after round, but for those that promise nothing new."""
     looks = list(_looks(group, skeleton))
     found: list[Attempt] = []
-    early = looks[:EARLY] if looks and looks[0].is_see_through else []
+    early = looks[:EARLY] if looks and looks[0].crossed >= SEE_THROUGH else []
     for look in early:
         yield look.wires
     for look in looks:
