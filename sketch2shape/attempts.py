@@ -112,14 +112,13 @@ class _Look:
 
     def attempt(self) -> Attempt:
         """With all edges drawn or, if that is not good, with the hidden ones dashed or missing."""
-        found, regions, pen = self._attempt([]), self.traced.regions, self.traced.skeleton.pen_width
         # hidden edges of ruled lines cross others
         is_opaque = self.crossed == 0 and self.traced.wobble <= UNSTEADY
-        if not is_opaque:
-            found = self.wires
+        found = self._attempt([]) if is_opaque else self.wires
         for source in (caps.caps, caps.loose_caps)[: 1 + self.round.loose]:
             if found.score < GOOD:
-                found = self._attempt(shortlist(source(self.graph, regions, pen), self.sheet, found.shortlist))
+                hypotheses = source(self.graph, self.traced.regions, self.traced.skeleton.pen_width)
+                found = self._attempt(shortlist(hypotheses, self.sheet, found.shortlist))
         return self._with_wires(found.shortlist) if is_opaque and found.score < GOOD else found
 
     def _with_wires(self, known: list[Judged]) -> Attempt:

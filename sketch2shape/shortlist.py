@@ -28,6 +28,8 @@ LARGEST_BATCH = 24
 """Hypotheses that are judged together."""
 SHALLOWEST = 2.5
 """Length of the longest connecting edge over the reach of a line: less deep, both faces would be the same ink."""
+VAIN, HOPE = 88, 0.4
+"""So many hypotheses are looked at if none of them scores as much: the best come early."""
 LEAST = 0.5
 """Hypotheses that cannot reach this score are not judged: refinement would not save them."""
 
@@ -39,14 +41,17 @@ def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], en
 
     One is enough if its faces are alike: no other explains a drawing in a plainer way.
     """
-    judged, perfect = list(known), 0
-    for batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, FIRST * enough):
-        judged += batch
+    fresh: list[Judged] = []
+    perfect = 0
+    for looked_at, batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, FIRST * enough):
+        fresh += batch
         best = [rings for rings, evidence in batch if evidence.score > PERFECT]
         perfect += len(best)
         if perfect >= enough or any(_is_plain(rings, PLAIN * sheet.reach) for rings in best):
             break
-    return sorted(judged, key=lambda j: -j[1].score)[:SHORTLIST]
+        if looked_at >= VAIN and not any(evidence.score >= HOPE for _, evidence in fresh):
+            break
+    return sorted([*known, *fresh], key=lambda j: -j[1].score)[:SHORTLIST]
 
 
 def _is_plain(rings: Rings, slack: float) -> bool:
@@ -57,17 +62,18 @@ def _is_plain(rings: Rings, slack: float) -> bool:
 
 def verified(hypotheses: Iterable[Rings], sheet: Sheet) -> Iterator[Judged]:
     """Those of the hypotheses that could be an object, judged, in their order."""
-    return chain.from_iterable(_batches(hypotheses, sheet, LARGEST_BATCH))
+    return chain.from_iterable(batch for _, batch in _batches(hypotheses, sheet, LARGEST_BATCH))
 
 
-def _batches(hypotheses: Iterable[Rings], sheet: Sheet, first: int) -> Iterator[list[Judged]]:
-    """Those of the hypotheses that could be an object, judged, in their order.
+def _batches(hypotheses: Iterable[Rings], sheet: Sheet, first: int) -> Iterator[tuple[int, list[Judged]]]:
+    """How many hypotheses have been looked at, and those of the last batch that could be an object, judged.
 
     first : size of the first batch; each is twice as large as the one before
     """
     source, seen = iter(hypotheses), set[bytes]()
-    size = min(first, LARGEST_BATCH)
+    size, looked_at = min(first, LARGEST_BATCH), 0
     while batch := list(islice(source, size)):
+        looked_at += len(batch)
         size = min(2 * size, LARGEST_BATCH)
         fresh: list[Rings] = []
         for rings in batch:
@@ -76,7 +82,7 @@ def _batches(hypotheses: Iterable[Rings], sheet: Sheet, first: int) -> Iterator[
             if key not in seen and np.isfinite(vertices).all():
                 seen.add(key)
                 fresh.append(rings)
-        yield _judged(fresh, sheet)
+        yield looked_at, _judged(fresh, sheet)
 
 
 def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
