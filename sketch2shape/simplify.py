@@ -5,6 +5,7 @@ A wavy hand bends its lines, and every bend looks like a flat vertex.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,10 @@ UNSEEN_BEND = 0.03
 """Score that a wavy drawing may lose with a flat vertex of which only a bend in the front's outline tells."""
 MARK = 0.006
 """Score that any drawing may lose with a vertex whose ink the rest of the object does not need: a mark at a corner."""
+BATCH = 12
+"""Ways that are judged together: the first good one is taken."""
+MOST_SETTLED = 12
+"""Ways of one hypothesis that are moved to the ink to be judged: only arcs cut into short edges have more."""
 FLAT = 0.35
 """A vertex that turns less than this (radians) in both faces may be a bend of the hand."""
 
@@ -29,18 +34,19 @@ def simplified(rings: Rings, evidence: Evidence, sheet: Sheet, noise: float, poi
     noise  : rms distance between lines and ink, pixels; a steady hand means every bend it makes
     points : (k, 2) float, skeleton pixels
     """
-    best = evidence.score
+    best, unsettled = evidence.score, MOST_SETTLED
     thick = max(0.0, sheet.pen / sheet.size - 0.01)
     while True:
         n = sum(rings.sizes)
         # what dropping a true vertex costs goes with its share of the edges
         slack = min(0.15 / n, 0.002 + 0.03 * max(0.0, noise - 0.3)) + thick
         ways = _simpler(rings, 3 * sheet.pen + 12 * max(0.0, noise - 0.5), evidence.drawn, sheet.pen)
-        ways = [w for w in ways if plausible(w.rings, 0.0)]
-        for way, judged in zip(ways, judge_all([w.rings for w in ways], sheet), strict=True):
+        for way, judged in _judged(ways, sheet):
             fewer = way.rings
             limit = best - slack - (noise > 0.5 and way.is_unseen_bend) * UNSEEN_BEND
-            if noise > 0.5 and judged.score < limit and (way.is_blunt_tip or judged.score > limit - 0.3):
+            hopeful = judged.score < limit and (way.is_blunt_tip or judged.score > limit - 0.3)
+            if noise > 0.5 and hopeful and unsettled:
+                unsettled -= 1
                 fewer, judged = _settled(way, judged, sheet, points)
             if judged.support >= evidence.support - 0.0005 and judged.weakest >= evidence.weakest - 0.01:
                 limit -= MARK
@@ -64,6 +70,13 @@ class _Way(NamedTuple):
     drawn: Bools
     is_blunt_tip: bool = False
     is_unseen_bend: bool = False
+
+
+def _judged(ways: list[_Way], sheet: Sheet) -> Iterator[tuple[_Way, Evidence]]:
+    """Those that could be an object and how well each explains the drawing, a few at a time."""
+    for k in range(0, len(ways), BATCH):
+        some = [w for w in ways[k : k + BATCH] if plausible(w.rings, 0.0)]
+        yield from zip(some, judge_all([w.rings for w in some], sheet), strict=True)
 
 
 def _settled(way: _Way, judged: Evidence, sheet: Sheet, points: Floats) -> tuple[Rings, Evidence]:
