@@ -16,7 +16,7 @@ import numpy as np
 from sketch2shape import caps, separate
 from sketch2shape.corners import crossed
 from sketch2shape.rings import Rings
-from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, rounds_for, sheet_for, vertex_candidates
+from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, in_threes, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group
 from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
 from sketch2shape.strokes import Skeleton
@@ -42,6 +42,8 @@ RULED = 3.0
 """Reach of a round, pixels, up to which lines count as ruled."""
 SEE_THROUGH = 2
 """Strokes that run across each other from which a drawing is likely to show its hidden edges."""
+FEW_IN_THREES = 0.4
+"""Part of the stroke ends that meet in threes below which lines no ruler drew are no wireframe: so traced, at least."""
 EARLY = 4
 """Rounds of such a drawing that look for it alone before any looks for faces with nothing behind them."""
 
@@ -100,6 +102,11 @@ class _Look:
         points = vertex_candidates(traced.strokes, traced.corners, self.round, pen)
         return corner_graph(traced.skeleton, points, self.round.reach)
 
+    @property
+    def is_steady(self) -> bool:
+        """Whether lines are straight enough to be ruled ones."""
+        return self.traced.wobble <= UNSTEADY
+
     @cached_property
     def crossed(self) -> int:
         """How often strokes run across each other."""
@@ -113,7 +120,7 @@ class _Look:
     def attempt(self) -> Attempt:
         """With all edges drawn or, if that is not good, with the hidden ones dashed or missing."""
         # hidden edges of ruled lines cross others
-        is_opaque = self.crossed == 0 and self.traced.wobble <= UNSTEADY
+        is_opaque = self.crossed == 0 and self.is_steady
         found = self._attempt([]) if is_opaque else self.wires
         for source in (caps.caps, caps.loose_caps)[: 1 + self.round.loose]:
             if found.score < GOOD:
@@ -122,8 +129,11 @@ class _Look:
         return self._with_wires(found.shortlist) if is_opaque and found.score < GOOD else found
 
     def _with_wires(self, known: list[Judged]) -> Attempt:
+        is_ruled = self.round.reach <= RULED
+        if not (is_ruled and self.is_steady) and in_threes(self.traced.corners) < FEW_IN_THREES:
+            return self._attempt(known)
         # within the width of a ruled line there is no second answer to a wireframe
-        enough = 1 if self.round.reach <= RULED else SHORTLIST
+        enough = 1 if is_ruled else SHORTLIST
         return self._attempt(shortlist(wire_hypotheses(self.graph), self.sheet, known, enough))
 
     def _attempt(self, found: list[Judged]) -> Attempt:
@@ -140,15 +150,16 @@ def _looks(group: Group, skeleton: Skeleton) -> Iterator[_Look]:
             break
         if traced.tolerance != tolerant.trace:
             traced = Traced(group, skeleton, tolerant.trace)
-        if k or traced.wobble <= UNSTEADY:
-            yield _Look(k, tolerant, traced)
+        look = _Look(k, tolerant, traced)
+        if k or look.is_steady:
+            yield look
 
 
 def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     """Round after round, but for those that promise nothing new."""
     looks = list(_looks(group, skeleton))
     found: list[Attempt] = []
-    early = looks[:EARLY] if looks and looks[0].crossed >= SEE_THROUGH else []
+    early = _early(looks)
     for look in early:
         yield look.wires
     for look in looks:
@@ -165,6 +176,13 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     traced = Traced(group, skeleton, CLOSE.trace)
     if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
         yield _Look(len(found), CLOSE, traced).attempt()
+
+
+def _early(looks: list[_Look]) -> list[_Look]:
+    """Those that look for a wireframe alone: the first few, if strokes cross. A fine trace cuts wavy ones in pieces."""
+    first = looks[:EARLY]
+    some = first[:1] if first and first[0].is_steady else first
+    return first if any(look.crossed >= SEE_THROUGH for look in some) else []
 
 
 def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:

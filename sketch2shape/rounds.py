@@ -72,9 +72,14 @@ def vertex_candidates(strokes: Strokes, corners: Corners, tolerant: Round, pen: 
     return np.concatenate([corners.points[(corners.degree >= 2) | corners.on], across])[:most]
 
 
+def in_threes(corners: Corners) -> float:
+    """Part of all stroke ends that meet in threes, as at the vertices of a prism with all edges drawn."""
+    return 3 * int(np.count_nonzero(corners.degree == 3)) / max(int(corners.degree.sum()), 1)
+
+
 def is_wireframe(corners: Corners) -> bool:
-    """Whether strokes meet in threes, as at the vertices of a prism with all edges drawn."""
-    return bool(3 * np.count_nonzero(corners.degree == 3) > IN_THREES * corners.degree.sum())
+    """Whether there is no doubt that all edges are drawn."""
+    return in_threes(corners) > IN_THREES
 
 
 def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> CornerGraph:
