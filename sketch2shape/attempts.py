@@ -6,9 +6,10 @@ A round traces strokes, joins their ends to corners, asks both face separators (
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 
 import cv2
 import numpy as np
@@ -27,7 +28,9 @@ GOOD = 0.98
 POOR = 0.8
 """A round whose best hypothesis scores less is refined only if no other round does better."""
 MOST_STEPS = 24000
-"""Steps of the search for cycles in one round."""
+"""Steps of the search for cycles in one round, ..."""
+MOST_STEPS_IN_ALL = 2 * MOST_STEPS
+"""... and in all rounds: grids and walls have cycles without end, drawings need a few hundred steps."""
 COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
 STEADY = 0.4
@@ -91,6 +94,7 @@ class _Look:
     number: int
     round: Round
     traced: Traced
+    steps: Iterator[int]
 
     @cached_property
     def sheet(self) -> Sheet:
@@ -134,13 +138,13 @@ class _Look:
             return self._attempt(known)
         # within the width of a ruled line there is no second answer to a wireframe
         enough = 1 if is_ruled else SHORTLIST
-        return self._attempt(shortlist(wire_hypotheses(self.graph), self.sheet, known, enough))
+        return self._attempt(shortlist(wire_hypotheses(self.graph, self.steps), self.sheet, known, enough))
 
     def _attempt(self, found: list[Judged]) -> Attempt:
         return Attempt(self.number, self.traced, found, self.sheet)
 
 
-def _looks(group: Group, skeleton: Skeleton) -> Iterator[_Look]:
+def _looks(group: Group, skeleton: Skeleton, steps: Iterator[int]) -> Iterator[_Look]:
     """The rounds that promise anything, as far as the drawing alone can tell."""
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
@@ -150,14 +154,15 @@ def _looks(group: Group, skeleton: Skeleton) -> Iterator[_Look]:
             break
         if traced.tolerance != tolerant.trace:
             traced = Traced(group, skeleton, tolerant.trace)
-        look = _Look(k, tolerant, traced)
+        look = _Look(k, tolerant, traced, steps)
         if k or look.is_steady:
             yield look
 
 
 def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     """Round after round, but for those that promise nothing new."""
-    looks = list(_looks(group, skeleton))
+    steps = iter(range(MOST_STEPS_IN_ALL))
+    looks = list(_looks(group, skeleton, steps))
     found: list[Attempt] = []
     early = _early(looks)
     for look in early:
@@ -175,7 +180,7 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
             yield attempt
     traced = Traced(group, skeleton, CLOSE.trace)
     if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
-        yield _Look(len(found), CLOSE, traced).attempt()
+        yield _Look(len(found), CLOSE, traced, steps).attempt()
 
 
 def _early(looks: list[_Look]) -> list[_Look]:
@@ -185,12 +190,12 @@ def _early(looks: list[_Look]) -> list[_Look]:
     return first if any(look.crossed >= SEE_THROUGH for look in some) else []
 
 
-def wire_hypotheses(graph: separate.CornerGraph) -> Iterator[Rings]:
-    """Closed ladders of rungs, each also with the smaller ones inside it as holes."""
-    steps = iter(range(MOST_STEPS))
+def wire_hypotheses(graph: separate.CornerGraph, steps: Iterable[int] = range(MOST_STEPS)) -> Iterator[Rings]:
+    """Closed ladders of rungs, each also with the smaller ones inside it as holes, within what is left of the steps."""
+    left = islice(steps, MOST_STEPS)
     for ladder in separate.ladders(graph):
         found: dict[frozenset[int], Rings] = {}
-        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, steps):
+        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, left):
             key = frozenset(cycle.tolist())
             if key not in found:
                 found[key] = separate.ring_pair(ladder, graph, cycle)

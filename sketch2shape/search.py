@@ -31,6 +31,8 @@ LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
+MOST_REFINED = 40
+"""Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
 NO_BETTER = 0.01
 """Difference of merit that is not worth a refinement."""
 DENSE = 150
@@ -141,10 +143,11 @@ def _best_of(attempt: Attempt) -> Found | None:
     traced = attempt.traced
     found: Found | None = None
     tried: list[Rings] = []
+    vertices = 0
     for rings, evidence in attempt.shortlist:
         if found is not None:
             hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
-            if evidence.score < found.evidence.score - hopeless:
+            if evidence.score < found.evidence.score - hopeless or vertices > MOST_REFINED:
                 break
             # not even an exact translation that explains all ink would have clearly more merit
             if _merit(found) >= 1.0 - 0.002 * sum(rings.sizes) - NO_BETTER:
@@ -152,6 +155,7 @@ def _best_of(attempt: Attempt) -> Found | None:
             if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
                 continue
         tried.append(rings)
+        vertices += sum(rings.sizes)
         rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced.dash_ends)
         refined = _refined(traced, rings, evidence, attempt.sheet)
         if found is None or _merit(refined) > _merit(found):
