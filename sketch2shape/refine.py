@@ -111,10 +111,11 @@ def _measure(v: Floats, edges: Ints, points: Floats, claims: _Claims, reach: flo
     inside = np.flatnonzero((across <= reach) & (along > end[edge]) & (along < (length - end)[edge]))
     point, edge, across = point[inside], edge[inside], across[inside]
     # ink that two nearly parallel edges could claim tells nothing about either; at a crossing it does no harm
-    nearest = np.full(len(points), np.inf)
-    np.minimum.at(nearest, point, across)
-    own = across <= nearest[point]
-    point, edge = point[own], edge[own]
+    if len(point):
+        first = np.flatnonzero(np.diff(point, prepend=-1))
+        nearest = np.minimum.reduceat(across, first)
+        own = across <= np.repeat(nearest, np.diff(first, append=len(point)))
+        point, edge = point[own], edge[own]
     count = np.bincount(edge, minlength=len(edges))
     # skeleton pixels per pixel of length, as the points may have been thinned out
     density = min(1.0, 1.5 * len(points) / float(length.sum()))
@@ -161,7 +162,7 @@ def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools
     a[tied, 2 * vertex], a[tied, 2 * vertex + 1] = (-stiffness * slope.reshape(-1, 2)).T
     b[2 * k :] = (stiffness * (image - (slope * v[:m, None]).sum(axis=2))).ravel()
     normal = a.T @ a
-    normal[np.diag_indices(4 * m)] += HOLD**2
+    normal.flat[:: 4 * m + 1] += HOLD**2
     free = np.asarray(np.linalg.solve(normal, a.T @ b + HOLD**2 * start.ravel()), float).reshape(-1, 2)
     if not drawn.all():
         free[m:][~drawn] = homology.apply(plane_map(free[:m], free[m:], drawn, limit), free[:m])[~drawn]
@@ -257,6 +258,6 @@ def map_cost(front: Floats, back: Floats, drawn: Bools) -> float:
 
 def _jacobian(h: Floats, points: Floats) -> Floats:
     """(k, 2, 2) derivative of the plane map at points."""
-    q = np.c_[points, np.ones(len(points))] @ h.T
+    q = points @ h[:, :2].T + h[:, 2]
     w = q[:, 2, None, None]
     return np.asarray((h[None, :2, :2] - (q[:, :2, None] / w) * h[None, 2:, :2]) / w)

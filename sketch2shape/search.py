@@ -9,6 +9,7 @@ a budget, and has them verified.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -55,6 +56,12 @@ class Found:
     evidence: Evidence
     sheet: Sheet
     noise: float = 0.0
+
+    @cached_property
+    def merit(self) -> float:
+        """Of answers that explain the drawing alike, the one with fewer vertices and the plainer plane map holds."""
+        front, back = np.concatenate(self.rings.front), np.concatenate(self.rings.back)
+        return self.evidence.score - 0.002 * len(front) - 0.5 * map_cost(front, back, self.evidence.drawn)
 
     @property
     def size(self) -> float:
@@ -135,7 +142,7 @@ def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> F
     if other.sheet.reach > best.sheet.reach:
         seen = judge(best.rings, other.sheet)
         same = replace(best, evidence=seen) if seen.score > best.evidence.score else best
-    return other if _merit(other) - handicap > _merit(same) else best
+    return other if other.merit - handicap > same.merit else best
 
 
 def _best_of(attempt: Attempt) -> Found | None:
@@ -150,7 +157,7 @@ def _best_of(attempt: Attempt) -> Found | None:
             if evidence.score < found.evidence.score - hopeless or vertices > MOST_REFINED:
                 break
             # not even an exact translation that explains all ink would have clearly more merit
-            if _merit(found) >= 1.0 - 0.002 * sum(rings.sizes) - NO_BETTER:
+            if found.merit >= 1.0 - 0.002 * sum(rings.sizes) - NO_BETTER:
                 continue
             if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
                 continue
@@ -158,7 +165,7 @@ def _best_of(attempt: Attempt) -> Found | None:
         vertices += sum(rings.sizes)
         rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced.dash_ends)
         refined = _refined(traced, rings, evidence, attempt.sheet)
-        if found is None or _merit(refined) > _merit(found):
+        if found is None or refined.merit > found.merit:
             found = refined
     return found
 
@@ -194,12 +201,6 @@ def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, dashes: Floats) -
 def _is_busy(found: Found) -> bool:
     """Whether so many vertices were found on wavy lines that some may be bends of the hand."""
     return found.noise > 0.5 and len(found.rings.vertices) > 2 * 12
-
-
-def _merit(found: Found) -> float:
-    """Of answers that explain the drawing alike, the one with fewer vertices and the plainer plane map holds."""
-    front, back = np.concatenate(found.rings.front), np.concatenate(found.rings.back)
-    return found.evidence.score - 0.002 * len(front) - 0.5 * map_cost(front, back, found.evidence.drawn)
 
 
 def _put_right(rings: Rings, judged: Evidence, sheet: Sheet, points: Floats) -> tuple[Rings, Evidence]:

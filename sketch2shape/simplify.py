@@ -94,18 +94,17 @@ def _simpler(rings: Rings, short: float, drawn: Bools, pen: float) -> list[_Way]
         start += n
         if n <= 3:
             continue
-        turns = [_turn(front, i) + _turn(back, i) for i in range(n)]
-        for i in np.argsort(turns)[: sum(t < 2 * FLAT for t in turns)]:
+        turns = _turns(front) + _turns(back)
+        for i in np.argsort(turns, kind="stable")[: np.count_nonzero(turns < 2 * FLAT)]:
             fewer = _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0))
             ways.append(_Way(fewer, np.delete(drawn, here[i]), is_unseen_bend=not drawn[here[i]]))
-        for i in range(n):
+        lengths = np.maximum(_edge_lengths(front), _edge_lengths(back))
+        for i in np.flatnonzero(lengths < short).tolist():
             j = (i + 1) % n
-            length = max(np.linalg.norm(front[i] - front[j]), np.linalg.norm(back[i] - back[j]))
-            if length < short:
-                either = drawn.copy()
-                either[here[i]] |= drawn[here[j]]
-                fewer = _replaced(rings, k, without_edge(front, i), without_edge(back, i))
-                ways.append(_Way(fewer, np.delete(either, here[j]), is_blunt_tip=bool(length < 2 * pen)))
+            either = drawn.copy()
+            either[here[i]] |= drawn[here[j]]
+            fewer = _replaced(rings, k, without_edge(front, i), without_edge(back, i))
+            ways.append(_Way(fewer, np.delete(either, here[j]), is_blunt_tip=bool(lengths[i] < 2 * pen)))
     return ways
 
 
@@ -117,7 +116,14 @@ def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:
     )
 
 
-def _turn(ring: Floats, i: int) -> float:
-    """By how much a ring turns at vertex i, radians."""
-    u, v = ring[i] - ring[i - 1], ring[(i + 1) % len(ring)] - ring[i]
-    return abs(float(np.arctan2(u[0] * v[1] - u[1] * v[0], u @ v)))
+def _turns(ring: Floats) -> Floats:
+    """(n,) float, by how much a ring turns at each vertex, radians."""
+    after = np.roll(ring, -1, axis=0) - ring
+    u, v = np.roll(after, 1, axis=0), after
+    return np.asarray(np.abs(np.arctan2(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0], (u * v).sum(axis=1))))
+
+
+def _edge_lengths(ring: Floats) -> Floats:
+    """(n,) float, pixels, of the edge from each vertex to the next."""
+    way = np.roll(ring, -1, axis=0) - ring
+    return np.asarray(np.hypot(way[:, 0], way[:, 1]))

@@ -10,7 +10,7 @@ may have strayed from a straight line.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import cv2
 import numpy as np
@@ -158,10 +158,13 @@ def project(points: Floats, starts: Floats, directions: Floats) -> tuple[Floats,
     return along, np.abs(points @ normals.T - (starts * normals).sum(axis=1))
 
 
+@lru_cache(maxsize=64)
 def thinned(count: int, most: int) -> Ints:
     """Indices of about `most` of `count` points, evenly, but without a period that could skip every other line."""
     index = np.arange(count)
-    return index if count <= most else index[(index * 0.6180339887) % 1.0 < most / count]
+    some = index if count <= most else index[(index * 0.6180339887) % 1.0 < most / count]
+    some.flags.writeable = False
+    return some
 
 
 def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> tuple[Floats, Ints, Ints]:
