@@ -215,10 +215,12 @@ def _refitted(graph: CornerGraph, rungs: Ints, mine: Bools, maps: Floats) -> Flo
     fitted = maps.copy()
     todo = np.arange(len(maps))
     for fit in (_translations, _similarities, _homologies):
+        if not len(todo):
+            break
         own = mine[todo]
         found = fit(src, dst, own)
-        off = np.where(own, np.linalg.norm(homology.apply(found, src) - dst, axis=2), 0.0)
-        fits = off.max(axis=1, initial=0.0) <= limit
+        off = homology.apply(found, src) - dst
+        fits = np.where(own, np.hypot(off[..., 0], off[..., 1]), 0.0).max(axis=1, initial=0.0) <= limit
         fitted[todo[fits]] = found[fits]
         todo = todo[~fits]
     return fitted
