@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from sketch2shape.attempts import GOOD, POOR, Attempt, attempts, is_sound
+from sketch2shape.doubts import doubted
 from sketch2shape.model import Floats, Ink
 from sketch2shape.refine import map_cost, on_map, refine
 from sketch2shape.rings import Rings, coincide, plausible, split
@@ -113,6 +114,8 @@ def find(group: Group) -> Found | None:
             good_since = min(good_since, k)
     if poor is not None and (best is None or best.evidence.score < poor.score):
         best = _better(best, _best_of(poor))
+    if best is not None and best.evidence.score < PERFECT:
+        return replace(best, evidence=doubted(best.rings, best.evidence, best.sheet))
     return best
 
 
