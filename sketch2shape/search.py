@@ -15,7 +15,7 @@ import numpy as np
 
 from sketch2shape.attempts import GOOD, POOR, Attempt, attempts, is_sound
 from sketch2shape.doubts import doubted
-from sketch2shape.model import Floats, Ink
+from sketch2shape.model import Bools, Floats, Ink
 from sketch2shape.refine import map_cost, on_map, refine
 from sketch2shape.rings import Rings, coincide, plausible, split
 from sketch2shape.rounds import Traced, is_wireframe
@@ -37,6 +37,8 @@ MOST_REFINED = 40
 """Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
 NO_BETTER = 0.01
 """Difference of merit that is not worth a refinement."""
+PLAINER = 0.01
+"""By how much the cost of a plane map may fall in refinement."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -61,13 +63,22 @@ class Found:
     @cached_property
     def merit(self) -> float:
         """Of answers that explain the drawing alike, the one with fewer vertices and the plainer plane map holds."""
-        front, back = np.concatenate(self.rings.front), np.concatenate(self.rings.back)
-        return self.evidence.score - 0.002 * len(front) - 0.5 * map_cost(front, back, self.evidence.drawn)
+        return _merit(self.evidence.score, self.rings, self.evidence.drawn)
 
     @property
     def size(self) -> float:
         """Diagonal of the object's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
+
+
+def _merit(score: float, rings: Rings, drawn: Bools, slack: float = 0.0) -> float:
+    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
+    return score - 0.002 * len(front) - 0.5 * max(0.0, map_cost(front, back, drawn) - slack)
+
+
+def _most_merit(rings: Rings, evidence: Evidence) -> float:
+    """What a hypothesis may have after refinement, which makes its plane map no plainer than noise has hidden."""
+    return _merit(1.0, rings, evidence.drawn, PLAINER)
 
 
 def find_all(ink: Ink) -> list[Found]:
@@ -159,8 +170,7 @@ def _best_of(attempt: Attempt) -> Found | None:
             hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
             if evidence.score < found.evidence.score - hopeless or vertices > MOST_REFINED:
                 break
-            # not even an exact translation that explains all ink would have clearly more merit
-            if found.merit >= 1.0 - 0.002 * sum(rings.sizes) - NO_BETTER:
+            if found.merit >= _most_merit(rings, evidence) - NO_BETTER:
                 continue
             if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
                 continue
