@@ -12,14 +12,16 @@ import numpy as np
 
 from sketch2shape.model import Bools, Floats
 from sketch2shape.rings import Rings, frame
+from sketch2shape.shortlist import PERFECT
 from sketch2shape.strokes import project, trace_strokes
 from sketch2shape.verify import Evidence, Sheet
 
 DOUBLED, DOUBLED_FACTOR = 0.5, 0.6
-"""Part of the edges' length that lies on other edges beyond which an answer is none, and the factor on its score.
-
-Right answers reach 0.42 where vertices coincide, unless they are perfect.
-"""
+"""Part of the edges' length that lies on other edges beyond which an answer is none, and the factor on its score ..."""
+DOUBLED_PERFECT = 0.67
+"""... and for an answer that explains all ink: right ones reach 0.63 where the depth runs along edges of a face."""
+LONG = 1.1
+"""Length of all edges over that of the ink from which on some may lie on each other."""
 LEFT, LEFT_FACTOR = 0.6, 0.8
 """Unexplained length of a stroke over a connecting edge's from which it is one, and the factor on the score."""
 PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
@@ -28,10 +30,12 @@ PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
 
 def doubted(rings: Rings, evidence: Evidence, sheet: Sheet) -> Evidence:
     """The evidence with the score that is left after all doubts."""
-    score = evidence.score
-    if doubled(rings, sheet.reach) > DOUBLED:
+    score, is_perfect = evidence.score, evidence.score >= PERFECT
+    a, b = _edges(rings)
+    is_long = np.abs(b - a).max(axis=1).sum() > LONG * sheet.ink
+    if is_long and doubled(rings, sheet.reach) > (DOUBLED_PERFECT if is_perfect else DOUBLED):
         score *= DOUBLED_FACTOR
-    if has_edge_left(rings, sheet):
+    if not is_perfect and has_edge_left(rings, sheet):
         score *= LEFT_FACTOR
     return replace(evidence, score=score)
 

@@ -125,9 +125,7 @@ def find(group: Group) -> Found | None:
             good_since = min(good_since, k)
     if poor is not None and (best is None or best.evidence.score < poor.score):
         best = _better(best, _best_of(poor))
-    if best is not None and best.evidence.score < PERFECT:
-        return replace(best, evidence=doubted(best.rings, best.evidence, best.sheet))
-    return best
+    return best and replace(best, evidence=doubted(best.rings, best.evidence, best.sheet))
 
 
 def _is_scribble(attempt: Attempt) -> bool:

@@ -60,10 +60,10 @@ def test_edges_on_edges_are_counted() -> None:
     assert doubled(Rings((steps,), (steps + [0, 100],)), 2.0) > DOUBLED
 
 
-@pytest.mark.parametrize("count", [4, 5, 8])
-def test_a_table_is_no_object(count: int) -> None:
+@pytest.mark.parametrize(("count", "columns"), [(4, 4), (5, 5), (8, 8), (5, 3)])
+def test_a_table_is_no_object(count: int, columns: int) -> None:
     picture = np.full((480, 640), 255, np.uint8)
-    for x in np.linspace(64, 576, count).astype(int).tolist():
+    for x in np.linspace(64, 576, columns).astype(int).tolist():
         cv2.line(picture, (x, 48), (x, 432), 0, 2)
     for y in np.linspace(48, 432, count).astype(int).tolist():
         cv2.line(picture, (64, y), (576, y), 0, 2)
