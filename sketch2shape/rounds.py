@@ -24,6 +24,10 @@ MOST_CORNERS = 120
 """Corners of a drawing that are looked at, the surest first."""
 MOST_OF_A_WIREFRAME = 420
 """The same where strokes meet in threes: then there is no doubt which they are."""
+MOST_POINTS = 1500
+"""Pixels of the skeleton that tell how much a hand wobbles."""
+AS_MUCH = 0.9
+"""Part of the area enclosed by all ink that larger pieces enclose if dashes are none of the outlines."""
 IN_THREES = 0.75
 """Part of all stroke ends that meet in threes from which on a drawing is a wireframe; in a scribble it is a tenth."""
 
@@ -117,7 +121,7 @@ class Traced:
         ends, lengths = self.strokes.ends, self.strokes.lengths + 1e-9
         if not len(ends):
             return 0.0
-        points = self.skeleton.points[thinned(len(self.skeleton.points), 1500)]
+        points = self.skeleton.points[thinned(len(self.skeleton.points), MOST_POINTS)]
         along, across = project(points, ends[:, 0], (ends[:, 1] - ends[:, 0]) / lengths[:, None])
         own = across[(across <= 2 * self.tolerance) & (along > 0) & (along < lengths)]
         return float(np.sqrt((own**2).mean())) if len(own) else 0.0
@@ -132,8 +136,12 @@ class Traced:
         solid = enclosed_regions(self.group.solid, pen, self.tolerance)
         if np.count_nonzero(self.group.solid) == np.count_nonzero(ink):
             return solid
+        # nothing encloses more than what lies within its hull
+        hull = cv2.contourArea(cv2.convexHull(self.skeleton.points.astype(np.float32)))
+        if _area(solid) > AS_MUCH * hull:
+            return solid
         every = enclosed_regions(ink, pen, self.tolerance)
-        return solid if _area(solid) > 0.9 * _area(every) else every
+        return solid if _area(solid) > AS_MUCH * _area(every) else every
 
     @cached_property
     def dash_ends(self) -> Floats:

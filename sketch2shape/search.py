@@ -174,7 +174,7 @@ def _best_of(attempt: Attempt) -> Found | None:
                 continue
         tried.append(rings)
         vertices += sum(rings.sizes)
-        rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced.dash_ends)
+        rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced)
         refined = _refined(traced, rings, evidence, attempt.sheet)
         if found is None or refined.merit > found.merit:
             found = refined
@@ -188,11 +188,11 @@ def _alike(a: Rings, b: Rings, near: float) -> bool:
     return coincide(a.front[0], b.front[0], near) and coincide(a.back[0], b.back[0], near)
 
 
-def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, dashes: Floats) -> tuple[Rings, Evidence]:
+def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, traced: Traced) -> tuple[Rings, Evidence]:
     """Hidden vertices moved to where dashed lines meet, where that explains the drawing better."""
-    if evidence.lines == "wire" or not len(dashes) or evidence.score < 0.6:
+    if evidence.lines == "wire" or evidence.drawn.all() or evidence.score < 0.6:
         return rings, evidence
-    m = len(evidence.drawn)
+    m, dashes = len(evidence.drawn), traced.dash_ends
     for i in np.flatnonzero(~evidence.drawn)[:8]:
         vertices = rings.vertices
         off = np.linalg.norm(dashes - vertices[m + i], axis=1)
