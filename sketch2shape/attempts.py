@@ -20,7 +20,7 @@ from sketch2shape.rings import Rings
 from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, in_threes, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group
 from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
-from sketch2shape.strokes import Skeleton
+from sketch2shape.strokes import Skeleton, thinned
 from sketch2shape.verify import Evidence, Sheet
 
 GOOD = 0.98
@@ -33,6 +33,8 @@ MOST_STEPS_IN_ALL = 2 * MOST_STEPS
 """... and in all rounds: grids and walls have cycles without end, drawings need a few hundred steps."""
 COARSEST = 0.1
 """Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
+OUTLINED = 400
+"""Pixels of the skeleton that tell how narrow the ink is."""
 STEADY = 0.4
 """Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
 ROUGH = 0.9
@@ -147,7 +149,8 @@ class _Look:
 def _looks(group: Group, skeleton: Skeleton, steps: Iterator[int]) -> Iterator[_Look]:
     """The rounds that promise anything, as far as the drawing alone can tell."""
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
-    narrow = min(cv2.minAreaRect(skeleton.points.astype(np.float32))[1])
+    some = skeleton.points[thinned(len(skeleton.points), OUTLINED)]
+    narrow = min(cv2.minAreaRect(some.astype(np.float32))[1])
     traced = Traced(group, skeleton, 0.0)
     for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
         if k and tolerant.reach > COARSEST * narrow:
