@@ -37,6 +37,8 @@ MOST_REFINED = 40
 """Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
 NO_BETTER = 0.01
 """Difference of merit that is not worth a refinement."""
+ALL = 0.997
+"""Score with which nothing is left to be explained by another."""
 PLAINER = 0.01
 """By how much the cost of a plane map may fall in refinement."""
 DENSE = 150
@@ -168,7 +170,7 @@ def _best_of(attempt: Attempt) -> Found | None:
             hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
             if evidence.score < found.evidence.score - hopeless or vertices > MOST_REFINED:
                 break
-            if found.merit >= _most_merit(rings, evidence) - NO_BETTER:
+            if found.evidence.score > ALL and found.merit >= _most_merit(rings, evidence) - NO_BETTER:
                 continue
             if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
                 continue

@@ -51,7 +51,8 @@ def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], en
             break
         if looked_at >= VAIN and not any(evidence.score >= HOPE for _, evidence in fresh):
             break
-    return sorted([*known, *fresh], key=lambda j: -j[1].score)[:SHORTLIST]
+    # of those that explain the drawing alike, the one thought of first
+    return sorted([*known, *fresh], key=lambda j: -round(j[1].score, 3))[:SHORTLIST]
 
 
 def _is_plain(rings: Rings, slack: float) -> bool:
