@@ -19,7 +19,7 @@ from sketch2shape.corners import crossed
 from sketch2shape.rings import Rings
 from sketch2shape.rounds import CLOSE, Round, Traced, corner_graph, in_threes, rounds_for, sheet_for, vertex_candidates
 from sketch2shape.sheet import Group
-from sketch2shape.shortlist import SHORTLIST, Judged, shortlist
+from sketch2shape.shortlist import ENOUGH, Judged, shortlist
 from sketch2shape.strokes import Skeleton, thinned
 from sketch2shape.verify import Evidence, Sheet
 
@@ -139,7 +139,7 @@ class _Look:
         if not (is_ruled and self.is_steady) and in_threes(self.traced.corners) < FEW_IN_THREES:
             return self._attempt(known)
         # within the width of a ruled line there is no second answer to a wireframe
-        enough = 1 if is_ruled else SHORTLIST
+        enough = 1 if is_ruled else ENOUGH
         return self._attempt(shortlist(wire_hypotheses(self.graph, self.steps), self.sheet, known, enough))
 
     def _attempt(self, found: list[Judged]) -> Attempt:

@@ -83,6 +83,15 @@ def _most_merit(rings: Rings, evidence: Evidence) -> float:
     return _merit(1.0, rings, evidence.drawn, PLAINER)
 
 
+def _is_unbeatable(found: Found, rings: Rings, evidence: Evidence) -> bool:
+    """Whether another hypothesis cannot have clearly more merit after refinement."""
+    least = found.merit + NO_BETTER
+    # a bare translation costs nothing
+    return found.evidence.score > ALL and (
+        least >= 1.0 - 0.002 * sum(rings.sizes) or least >= _most_merit(rings, evidence)
+    )
+
+
 def find_all(ink: Ink) -> list[Found]:
     """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
     found: list[Found] = []
@@ -170,7 +179,7 @@ def _best_of(attempt: Attempt) -> Found | None:
             hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
             if evidence.score < found.evidence.score - hopeless or vertices > MOST_REFINED:
                 break
-            if found.evidence.score > ALL and found.merit >= _most_merit(rings, evidence) - NO_BETTER:
+            if _is_unbeatable(found, rings, evidence):
                 continue
             if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
                 continue

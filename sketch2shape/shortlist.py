@@ -16,6 +16,8 @@ from sketch2shape.verify import Evidence, Sheet, judge_stack, most_possible
 
 SHORTLIST = 5
 """Hypotheses of a round that are kept."""
+ENOUGH = 4
+"""Nearly perfect hypotheses that end the search."""
 MOST_HYPOTHESES = 160
 """Hypotheses of one source that are looked at."""
 PERFECT = 0.995
@@ -36,7 +38,7 @@ LEAST = 0.5
 Judged = tuple[Rings, Evidence]
 
 
-def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], enough: int = SHORTLIST) -> list[Judged]:
+def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], enough: int = ENOUGH) -> list[Judged]:
     """The best few of the hypotheses and those already known; enough nearly perfect ones end the search.
 
     One is enough if its faces are alike: no other explains a drawing in a plainer way.
