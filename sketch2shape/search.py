@@ -1,9 +1,8 @@
 """Search: from the ink of one object to the best verified hypothesis.
 
-Nobody knows beforehand how straight a drawing's lines are, so the search runs in rounds of growing tolerance and stops
-at the first that explains the drawing. A round traces strokes, joins their ends to corners, asks both face separators
-(`separate` where all edges are drawn, `caps` where the back is dashed or missing) for hypotheses, best first and within
-a budget, and has them verified.
+Nobody knows beforehand how straight a drawing's lines are, so the search runs in rounds of growing tolerance
+(`attempts`) and stops at the first that explains the drawing. What could win is refined; an answer that is good but not
+perfect has to hold against the next round.
 """
 
 from __future__ import annotations

@@ -31,7 +31,8 @@ def test_a_drawing_that_can_be_seen_through_is_taken_for_a_wireframe_before_anyt
 
 
 def test_a_drawing_without_crossing_strokes_is_asked_round_by_round():
-    numbers = [a.number for a, _ in zip(attempts_at(prism(SQUARE, SQUARE + DEPTH, "removed")), range(3), strict=False)]
-    assert numbers == sorted(set(numbers))
+    numbers = [a.number for a in attempts_at(prism(SQUARE, SQUARE + DEPTH, "removed"))]
+    assert len(numbers) > 1
+    assert numbers == sorted(set(numbers))  # none comes back, as it would after a first look for wireframes
     first = next(attempts_at(prism(SQUARE, SQUARE + DEPTH, "removed")))
     assert first.shortlist[0][1].lines == "removed"
