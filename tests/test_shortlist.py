@@ -4,7 +4,7 @@ import numpy as np
 from sketches import DEPTH, SQUARE, prism, sheet_of
 
 from sketch2shape.rings import Rings
-from sketch2shape.shortlist import SHORTLIST, shortlist, verified
+from sketch2shape.shortlist import FIRST, HOPE, MOST_HYPOTHESES, SHORTLIST, VAIN, shortlist, verified
 
 SHEET = sheet_of(prism(SQUARE, SQUARE + DEPTH))
 BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
@@ -46,3 +46,27 @@ def test_two_faces_on_the_same_lines_are_no_object():
     sheet = sheet_of(prism(SQUARE, SQUARE + DEPTH), reach=8.0)
     assert len(list(verified([BOX], sheet))) == 1
     assert list(verified([Rings((SQUARE,), (SQUARE + [9.0, -6],))], sheet)) == []
+
+
+def test_two_faces_alike_that_explain_all_ink_end_the_search_after_their_batch():
+    taken = []
+
+    def source():
+        for k in range(100):
+            taken.append(k)
+            yield BOX if k == 0 else Rings((SQUARE + 0.1 * k,), (SQUARE + DEPTH,))
+
+    assert shortlist(source(), SHEET, [], enough=5)[0][1].score > 0.995
+    assert len(taken) == FIRST * 5
+
+
+def test_hypotheses_without_hope_are_given_up():
+    taken = []
+
+    def source():
+        for k in range(MOST_HYPOTHESES):
+            taken.append(k)
+            yield Rings((SQUARE[:3] + [k, 3.0 * k],), (SQUARE[:3] + DEPTH + [k, 3.0 * k],))
+
+    assert all(evidence.score < HOPE for _, evidence in shortlist(source(), SHEET, []))
+    assert VAIN <= len(taken) < MOST_HYPOTHESES
