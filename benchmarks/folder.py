@@ -13,8 +13,8 @@ from benchmarks import subjects
 from benchmarks.timing import Call, Report, Table, python, times, tool
 from sketch2shape.batch.pool import run_each
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.model import Floats
-from sketch2shape.reconstruct import reconstruct
+from sketch2shape.model.arrays import Floats
+from sketch2shape.pipeline import reconstruct
 
 LOOP = """
 import pathlib, cv2

@@ -12,7 +12,7 @@ import numpy as np
 from benchmarks import subjects
 from benchmarks.single import floor, ours
 from benchmarks.timing import Call, Report, Table, command, in_turn, times
-from sketch2shape.model import Floats
+from sketch2shape.model.arrays import Floats
 
 
 def tracers(scratch: Path, quick: bool) -> Report:
@@ -95,8 +95,8 @@ def _libraries(points: Floats) -> dict[str, Callable[[], object]]:
 
 
 def _ours(points: Floats) -> dict[str, Callable[[], object]]:
-    from sketch2shape.connect import connect
-    from sketch2shape.connect import methods as names
+    from sketch2shape.connectors import connect
+    from sketch2shape.connectors import methods as names
 
     def one(method: str) -> Callable[[], object]:
         def call() -> object:

@@ -11,7 +11,7 @@ import numpy as np
 from benchmarks import subjects
 from benchmarks.timing import Plot, Report, Table, exponent, in_turn, steepest, times
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.reconstruct import reconstruct
+from sketch2shape.pipeline import reconstruct
 
 WORKING = 1_000_000
 """Pixels to which the floor of a large picture reduces it."""

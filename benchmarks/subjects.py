@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model import Floats
+from sketch2shape.model.arrays import Floats
 from sketch2shape.synthetic.drawing import draw
 from sketch2shape.synthetic.hand import RULER
 from sketch2shape.synthetic.negatives import NEGATIVES

@@ -15,10 +15,10 @@ from pathlib import Path
 import numpy as np
 
 import sketch2shape as s2s
-from sketch2shape.corrections import SCHEMA, corrections_from
+from sketch2shape.corrections.corrections import SCHEMA, corrections_from
 from sketch2shape.errors import NoObjectError
-from sketch2shape.lift import LiftOptions
-from sketch2shape.model import Picture
+from sketch2shape.lifting import LiftOptions
+from sketch2shape.model.picture import Picture
 from sketch2shape.pictures import (
     Entry,
     contact_sheet,

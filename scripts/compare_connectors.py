@@ -2,7 +2,7 @@
 
     python scripts/compare_connectors.py [--count N] [--seed S] [--out docs] [--points FILE]
 
-Repeats the evaluation of the paper for every method of `sketch2shape.connect`: its Table 1 (complexity) as measured
+Repeats the evaluation of the paper for every method of `sketch2shape.connectors`: its Table 1 (complexity) as measured
 growth curves, its Fig. 13 (precision) as the part of faces whose whole order is right, its Fig. 14 (computations
 against n) as time. Parameters of a rival are the best of a sweep on the frontal set. Writes OUT/connectors.md with
 two plots (these need matplotlib). --points FILE adds a table for a JSON list of {"profile", "points", "order"}.
@@ -30,7 +30,7 @@ from connector_precision import (
     where_the_walk_is_right,
 )
 
-from sketch2shape.connect import methods
+from sketch2shape.connectors import methods
 
 INTRODUCTION = """# Connectors compared
 

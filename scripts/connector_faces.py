@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 sys.path.insert(0, str(Path(__file__).parent))
 from connector_profiles import PROFILES, faces
 
-from sketch2shape.connect.geometry import canonical, ring_is_simple
+from sketch2shape.connectors.polygon import canonical, ring_is_simple
 
 Ring = NDArray[np.float64]
 RANDOM = ("star-shaped", "blob", "simple")

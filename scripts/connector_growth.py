@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 sys.path.insert(0, str(Path(__file__).parent))
 from markdown_table import table
 
-from sketch2shape.connect import connect, methods
-from sketch2shape.connect.registry import find_method
+from sketch2shape.connectors import connect, methods
+from sketch2shape.connectors.registry import find_method
 from sketch2shape.errors import Sketch2ShapeError
 
 #: seconds; a method's growth curve ends where one call takes longer

@@ -15,8 +15,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from connector_faces import SETS, Face, face_set, with_a_vertex_missing, with_an_extra_vertex
 from markdown_table import table
 
-from sketch2shape.connect import connect, connect_detailed, split_walk_preconditions
-from sketch2shape.connect.geometry import canonical
+from sketch2shape.connectors import connect, connect_detailed, split_walk_preconditions
+from sketch2shape.connectors.polygon import canonical
 from sketch2shape.errors import Sketch2ShapeError
 
 NOISE = (0.0, 0.5, 1.0, 2.0)

@@ -139,9 +139,9 @@ def _warm_up() -> None:
 
 def measure(case: Case) -> Case:
     """Run the tool on one picture and score what it says."""
+    from sketch2shape.conversion.report import report
     from sketch2shape.errors import Sketch2ShapeError
-    from sketch2shape.reconstruct import reconstruct
-    from sketch2shape.report import report
+    from sketch2shape.pipeline import reconstruct
 
     start = time.perf_counter()
     found: Case = {"status": "ok", "message": "", "answers": []}
@@ -202,7 +202,7 @@ def overlap(truth: Case, answer: Case, match: Any) -> Case:
     from scipy.spatial import cKDTree
 
     from sketch2shape.export import to_trimesh
-    from sketch2shape.model import Projection, Solid
+    from sketch2shape.model.solid import Projection, Solid
 
     want = metrics.true_solid(truth)
     if want is None or truth.get("holes") or metrics.family(truth) == "oblique":

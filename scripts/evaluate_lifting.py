@@ -21,8 +21,10 @@ import manifold3d
 import numpy as np
 
 from sketch2shape.export import mesh_faces
-from sketch2shape.lift import choose_front, lift
-from sketch2shape.model import FacePair, Floats, Ints, Solid, TwoFaceObject
+from sketch2shape.lifting import choose_front, lift
+from sketch2shape.model.arrays import Floats, Ints
+from sketch2shape.model.drawing import FacePair, TwoFaceObject
+from sketch2shape.model.solid import Solid
 from sketch2shape.synthetic import metrics
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -1,10 +1,10 @@
-"""Fit the weights of `sketch2shape.connect.regularity` to random faces.
+"""Fit the weights of `sketch2shape.connectors.ring_regularity` to random faces.
 
     python scripts/fit_regularity.py [--faces N] [--rounds R] [--seed S]
 
 A mixture of conditional logits: among the simple rings through a face's points, each round takes the most probable
 ones under the current weights and the true one, and moves the weights of all kinds of face together to make the true
-ones most likely. Writes sketch2shape/connect/weights.py.
+ones most likely. Writes sketch2shape/connectors/weights.py.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from scipy.optimize import minimize
 sys.path.insert(0, str(Path(__file__).parent))
 from connector_profiles import PROFILES, VIEWS, faces
 
-from sketch2shape.connect import auto
-from sketch2shape.connect.geometry import ring_is_simple
-from sketch2shape.connect.graham import convex_hull
-from sketch2shape.connect.regularity import CROSSING, EDGE_CUES, PAIR_CUES, edge_cues, edges_between, pair_cues
-from sketch2shape.connect.search import EXHAUSTIVE, canonical_rows, edge_index, neighbours
-from sketch2shape.connect.whole_ring import RING_CUES, ring_cues
+from sketch2shape.connectors import auto
+from sketch2shape.connectors.graham import convex_hull
+from sketch2shape.connectors.polygon import ring_is_simple
+from sketch2shape.connectors.ring_regularity import CROSSING, EDGE_CUES, PAIR_CUES, edge_cues, edges_between, pair_cues
+from sketch2shape.connectors.ring_search import EXHAUSTIVE, canonical_rows, edge_index, neighbours
+from sketch2shape.connectors.whole_ring import RING_CUES, ring_cues
 
 Array = NDArray[np.float64]
 NOISE = (0.0, 0.0, 0.6, 1.5)

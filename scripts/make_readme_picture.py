@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from sketch2shape import reconstruct
-from sketch2shape.model import Picture
+from sketch2shape.model.picture import Picture
 from sketch2shape.pictures import encode_png, overlay, preview
+from sketch2shape.pipeline import reconstruct
 from sketch2shape.synthetic.drawing import draw
 
 TARGET = Path(__file__).resolve().parent.parent / "docs" / "readme.png"

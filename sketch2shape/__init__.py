@@ -3,74 +3,74 @@
 >>> import sketch2shape as s2s
 >>> result = s2s.reconstruct("image.png")  # doctest: +SKIP
 >>> result.export("out.obj")  # doctest: +SKIP
+
+Names load on first use, so that importing the package stays cheap.
 """
 
-from __future__ import annotations
-
-import sys
-from importlib import import_module
-from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING
 
 __version__ = "0.1.0"
 
-#: public name -> module that defines it; loaded on first use, so that importing the package stays cheap
-_PUBLIC = {
-    "reconstruct": "reconstruct",
-    "reconstruct_many": "batch",
-    "read_picture": "read",
-    "find_ink": "ink",
-    "trace_strokes": "tracing",
-    "detect_corners": "detectors",
-    "separate_faces": "faces",
-    "connect": "connect",
-    "connect_faces": "connect",
-    "lift": "lift",
-    "Result": "result",
-    "Picture": "model",
-    "Ink": "model",
-    "FacePair": "model",
-    "TwoFaceObject": "model",
-    "Projection": "model",
-    "Solid": "model",
-    "Sketch2ShapeError": "errors",
-    "UsageError": "errors",
-    "PointsError": "errors",
-    "UnreadableError": "errors",
-    "NoObjectError": "errors",
-    "LimitError": "errors",
-    "WriteError": "errors",
-    "MissingPackageError": "errors",
+if TYPE_CHECKING:
+    from sketch2shape.batch import reconstruct_many as reconstruct_many
+    from sketch2shape.connectors import connect as connect
+    from sketch2shape.connectors import connect_faces as connect_faces
+    from sketch2shape.errors import LimitError as LimitError
+    from sketch2shape.errors import MissingPackageError as MissingPackageError
+    from sketch2shape.errors import NoObjectError as NoObjectError
+    from sketch2shape.errors import PointsError as PointsError
+    from sketch2shape.errors import Sketch2ShapeError as Sketch2ShapeError
+    from sketch2shape.errors import UnreadableError as UnreadableError
+    from sketch2shape.errors import UsageError as UsageError
+    from sketch2shape.errors import WriteError as WriteError
+    from sketch2shape.ink import find_ink as find_ink
+    from sketch2shape.lifting import LiftOptions as LiftOptions
+    from sketch2shape.lifting import lift as lift
+    from sketch2shape.model import FacePair as FacePair
+    from sketch2shape.model import Ink as Ink
+    from sketch2shape.model import Picture as Picture
+    from sketch2shape.model import Projection as Projection
+    from sketch2shape.model import Solid as Solid
+    from sketch2shape.model import TwoFaceObject as TwoFaceObject
+    from sketch2shape.pipeline import Result as Result
+    from sketch2shape.pipeline import reconstruct as reconstruct
+    from sketch2shape.reading import Limits as Limits
+    from sketch2shape.reading import read_picture as read_picture
+    from sketch2shape.search import separate_faces as separate_faces
+    from sketch2shape.strokes import detect_corners as detect_corners
+    from sketch2shape.strokes import trace_strokes as trace_strokes
+
+_ROOMS = {
+    "batch": ("reconstruct_many",),
+    "connectors": ("connect", "connect_faces"),
+    "errors": (
+        *("LimitError", "MissingPackageError", "NoObjectError", "PointsError"),
+        *("Sketch2ShapeError", "UnreadableError", "UsageError", "WriteError"),
+    ),
+    "ink": ("find_ink",),
+    "lifting": ("LiftOptions", "lift"),
+    "model": ("FacePair", "Ink", "Picture", "Projection", "Solid", "TwoFaceObject"),
+    "pipeline": ("Result", "reconstruct"),
+    "reading": ("Limits", "read_picture"),
+    "search": ("separate_faces",),
+    "strokes": ("detect_corners", "trace_strokes"),
 }
+"""Package -> the public names it defines. A test holds it against what type checkers see above."""
 
-__all__ = ["__version__", *_PUBLIC]
+__all__ = ["__version__", *sorted(name for names in _ROOMS.values() for name in names)]
 
+if not TYPE_CHECKING:  # a type checker would take every misspelt name for one that is loaded later
 
-class _Stage(ModuleType):
-    """A module that is named like the one function it is for, and can be called as that function."""
+    def __getattr__(name):
+        """Load a public name on first use."""
+        for room, names in _ROOMS.items():
+            if name in names:
+                from importlib import import_module
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        return getattr(self, self.__name__.rpartition(".")[2])(*args, **kwargs)
-
-
-class _Package(ModuleType):
-    """This package: importing a stage's module binds the module to the stage's name, which must stay callable."""
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if _PUBLIC.get(name) == name and isinstance(value, ModuleType):
-            value.__class__ = _Stage
-        super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package
-
-
-def __getattr__(name: str) -> Any:
-    """Load a public name on first use."""
-    if name not in _PUBLIC:
+                value = getattr(import_module(f"{__name__}.{room}"), name)
+                globals()[name] = value
+                return value
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_PUBLIC[name]}"), name)
 
-
-def __dir__() -> list[str]:
-    return sorted(__all__)
+    def __dir__():
+        return sorted(__all__)

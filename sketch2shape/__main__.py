@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from sketch2shape.cli import main
+from sketch2shape.command.parser import main
 
 if __name__ == "__main__":
     sys.exit(main())

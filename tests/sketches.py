@@ -3,10 +3,11 @@
 import cv2
 import numpy as np
 
-from sketch2shape.ink import find_ink
-from sketch2shape.model import Picture, ring_edges
-from sketch2shape.strokes import thin
-from sketch2shape.verify import skeleton_sheet
+from sketch2shape.evidence.sheet import skeleton_sheet
+from sketch2shape.ink.find import find_ink
+from sketch2shape.model.drawing import ring_edges
+from sketch2shape.model.picture import Picture
+from sketch2shape.strokes.skeleton import thin
 
 SQUARE = np.array([[120.0, 140], [270, 140], [270, 290], [120, 290]])
 L_SHAPE = np.array([[90.0, 120], [210, 120], [210, 190], [150, 190], [150, 300], [90, 300]])

@@ -10,11 +10,12 @@ from unittest.mock import patch
 import numpy as np
 
 from sketch2shape.batch.many import _reconstruct as many_reconstruct
-from sketch2shape.convert import convert
+from sketch2shape.conversion.convert import convert
 from sketch2shape.errors import NoObjectError, UnreadableError
-from sketch2shape.model import Projection, Solid, TwoFaceObject
-from sketch2shape.read import read_picture
-from sketch2shape.result import Result
+from sketch2shape.model.drawing import TwoFaceObject
+from sketch2shape.model.solid import Projection, Solid
+from sketch2shape.pipeline.result import Result
+from sketch2shape.reading.read import read_picture
 
 
 def reconstruct(source, *, limits=None, **_):
@@ -32,7 +33,7 @@ def reconstruct(source, *, limits=None, **_):
 def work(task):
     """`convert`, but a picture named crash, hang, hog or bug does just that, and one named gate waits for a file."""
     misbehave(task.name)
-    with patch("sketch2shape.reconstruct.reconstruct", reconstruct):
+    with patch("sketch2shape.pipeline.reconstruct", reconstruct):
         return convert(task)
 
 
@@ -40,7 +41,7 @@ def reconstruct_numbered(numbered, limits, options):
     """The same for what `reconstruct_many` runs in its workers."""
     if isinstance(numbered[1], str):
         misbehave(numbered[1])
-    with patch("sketch2shape.reconstruct.reconstruct", reconstruct):
+    with patch("sketch2shape.pipeline.reconstruct", reconstruct):
         return many_reconstruct(numbered, limits, options)
 
 

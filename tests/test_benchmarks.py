@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sketch2shape.reconstruct import reconstruct
+from sketch2shape.pipeline import reconstruct
 
 ROOT = Path(__file__).parent.parent
 

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from sketch2shape import errors
-from sketch2shape.model import FacePair, Picture, Projection, Solid, TwoFaceObject
-from sketch2shape.result import Result
+from sketch2shape.model.drawing import FacePair, TwoFaceObject
+from sketch2shape.model.picture import Picture
+from sketch2shape.model.solid import Projection, Solid
+from sketch2shape.pipeline.result import Result
 from sketch2shape.synthetic import metrics
 from sketch2shape.synthetic.drawing import draw
 
@@ -38,7 +40,7 @@ def result_for(truth, confidence=0.95, turn=0):
 
 
 def pretend(monkeypatch, answer):
-    module = importlib.import_module("sketch2shape.reconstruct")
+    module = importlib.import_module("sketch2shape.pipeline")
     monkeypatch.setattr(module, "reconstruct", answer, raising=False)
 
 

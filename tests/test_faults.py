@@ -9,7 +9,7 @@ from benchmarks.faults import bombs, leak, names, rasters, reader
 from benchmarks.faults.hostile import KINDS, hostile
 from benchmarks.faults.samples import mutated, samples
 from sketch2shape.errors import CrashError
-from sketch2shape.read import read_picture
+from sketch2shape.reading.read import read_picture
 
 
 @pytest.mark.parametrize("name", samples())

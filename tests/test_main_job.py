@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from sketch2shape.conversion.report import report
 from sketch2shape.errors import NoObjectError
-from sketch2shape.reconstruct import reconstruct
-from sketch2shape.report import report
+from sketch2shape.pipeline import reconstruct
 from sketch2shape.synthetic import metrics
 
 

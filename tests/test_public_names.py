@@ -1,23 +1,55 @@
-"""Stages named like their module: `sketch2shape.lift` is both."""
+"""The public names: what type checkers and editors see of them is what there is."""
 
+import ast
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+import sketch2shape as s2s
 
-@pytest.mark.parametrize(
-    "first", ["s.lift(o)", "from sketch2shape.lift import LiftOptions", "import sketch2shape.lift", "s.TwoFaceObject"]
-)
-def test_a_stage_can_be_called_whatever_was_imported_first(first):
-    code = (
-        "import numpy as np, sketch2shape as s\n"
-        "square = np.array([[0, 0], [100, 0], [100, 100], [0, 100.0]])\n"
-        "o = s.TwoFaceObject(square, square + [30, -30])\n"
-        f"{first}\n"
-        "assert s.lift(o).volume > 0\n"
-        "assert s.lift(o).volume > 0\n"
-        "from sketch2shape.lift import lift\n"
-        "assert lift(o).volume > 0\n"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)
+USER = """
+import sketch2shape as s2s
+
+reveal_type(s2s.reconstruct)
+s2s.reconstruct("a.png", conector="ink")
+s2s.recontruct("a.png")
+s2s.reconstruct("a.png").objects[0].f3
+"""
+
+
+def test_type_checkers_see_every_name_that_is_loaded_lazily():
+    tree = ast.parse(Path(s2s.__file__).read_text())
+    block = next(n for n in tree.body if isinstance(n, ast.If))
+    seen = {(n.module.rpartition(".")[2], a.name) for n in block.body for a in n.names}
+    assert seen == {(room, name) for room, names in s2s._ROOMS.items() for name in names}
+
+
+@pytest.mark.parametrize("name", s2s.__all__)
+def test_every_name_loads(name):
+    assert getattr(s2s, name) is not None
+    assert name in dir(s2s)
+
+
+def test_a_misspelt_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="recontruct"):
+        _ = s2s.recontruct
+
+
+def test_mypy_knows_the_signatures_and_refuses_misspelt_words(tmp_path):
+    pytest.importorskip("mypy", reason="mypy is part of the extra `lint`")
+    user = tmp_path / "user.py"
+    user.write_text(USER)
+    call = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), str(user)]
+    said = subprocess.run(call, capture_output=True, text=True, cwd=Path(s2s.__file__).parents[1]).stdout
+    assert re.search(r":4: note: Revealed type is .*def \(source: Any.* -> .*Result", said)
+    assert re.search(r':5: error: Unexpected keyword argument "conector"', said)
+    assert re.search(r':6: error: Module has no attribute "recontruct"', said)
+    assert re.search(r':7: error: "TwoFaceObject" has no attribute "f3"', said)
+
+
+def test_importing_the_package_loads_no_array_library():
+    code = "import sys, sketch2shape; print([m for m in ('numpy', 'cv2', 'trimesh', 'argparse') if m in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"

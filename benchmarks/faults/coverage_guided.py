@@ -20,11 +20,11 @@ with atheris.instrument_imports(include=["PIL", "sketch2shape"]):
     import PIL.WebPImagePlugin  # noqa: F401
 
     from sketch2shape.errors import Sketch2ShapeError
-    from sketch2shape.limits import Limits
-    from sketch2shape.read import count_pages, read_picture
+    from sketch2shape.reading.limits import Limits
+    from sketch2shape.reading.read import count_pages, read_picture
 
 from benchmarks.faults.samples import samples
-from sketch2shape.write import quiet_stderr
+from sketch2shape.writing.files import quiet_stderr
 
 _LIMITS = Limits(max_pixels=1_000_000)
 

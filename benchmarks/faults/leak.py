@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 from benchmarks.faults.samples import drawing, samples
-from sketch2shape.convert import Output, Task, convert
+from sketch2shape.conversion.convert import Output, Task, convert
 
 
 def run(size: int = 2000) -> dict[str, object]:

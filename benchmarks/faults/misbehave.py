@@ -8,7 +8,7 @@ import signal
 import sys
 import time
 
-from sketch2shape.convert import Outcome, Task, convert
+from sketch2shape.conversion.convert import Outcome, Task, convert
 
 
 def work(task: Task) -> Outcome:
@@ -32,8 +32,8 @@ def _hang() -> None:
 
 def main() -> int:
     """The command, with this work."""
-    from sketch2shape.cli import parse
-    from sketch2shape.command import run
+    from sketch2shape.command.parser import parse
+    from sketch2shape.command.run import run
     from sketch2shape.errors import Sketch2ShapeError
 
     try:

@@ -14,8 +14,8 @@ import numpy as np
 from benchmarks.faults.hostile import KINDS, MAY_HOLD_AN_OBJECT, hostile
 from sketch2shape.batch.pool import run_each
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.reconstruct import reconstruct
-from sketch2shape.result import Result
+from sketch2shape.pipeline import reconstruct
+from sketch2shape.pipeline.result import Result
 
 _SLOW = 5.0
 

@@ -15,7 +15,7 @@ from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
-from sketch2shape.convert import Outcome, Task, report_failure
+from sketch2shape.conversion.convert import Outcome, Task, report_failure
 from sketch2shape.errors import CrashError, MissingPackageError, Sketch2ShapeError, UsageError
 
 #: tasks handed to the scheduler at a time, for each thread of a worker

@@ -20,9 +20,9 @@ from typing import IO, Any
 
 from sketch2shape import __version__
 from sketch2shape.batch.plan import Plan, Planned
-from sketch2shape.convert import Outcome, Output, Settings
+from sketch2shape.conversion.convert import Outcome, Output, Settings
 from sketch2shape.errors import NoObjectError, UnreadableError, UsageError, WriteError
-from sketch2shape.write import write_file
+from sketch2shape.writing import write_file
 
 NAME = ".sketch2shape.jsonl"
 SCHEMA = "sketch2shape-batch/1"

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 from sketch2shape.batch.pool import run_each
-from sketch2shape.convert import as_known
+from sketch2shape.conversion.convert import as_known
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.limits import Limits
 from sketch2shape.model import Picture
-from sketch2shape.read import source_name
-from sketch2shape.result import Result
+from sketch2shape.pipeline import Result
+from sketch2shape.reading.limits import Limits
+from sketch2shape.reading.read import source_name
 
 
 def reconstruct_many(
@@ -59,7 +59,7 @@ class _Answer:
 
 def _reconstruct(numbered: tuple[int, Any], limits: Limits, options: dict[str, Any]) -> _Answer | Sketch2ShapeError:
     """Run in the worker."""
-    from sketch2shape.reconstruct import reconstruct
+    from sketch2shape.pipeline import reconstruct
 
     try:
         result = reconstruct(numbered[1], limits=limits, **options)

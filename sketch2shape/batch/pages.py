@@ -9,20 +9,15 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from sketch2shape.batch.plan import Planned
-from sketch2shape.convert import Outcome
+from sketch2shape.conversion.convert import Outcome
 from sketch2shape.errors import NoObjectError, Sketch2ShapeError, UsageError
-from sketch2shape.write import write_file
+from sketch2shape.writing import write_file
 
 if TYPE_CHECKING:
     from sketch2shape.pictures import Entry
     from sketch2shape.pictures.canvas import Pixels
 
 Rows = Iterable[tuple[Planned, Outcome]]
-
-
-def wants_pages(arguments: Namespace) -> bool:
-    """Whether pictures of the whole batch are asked for, so that each input needs its overlay."""
-    return bool(arguments.index or arguments.contact_sheet)
 
 
 def check_pages(arguments: Namespace) -> None:
@@ -68,7 +63,7 @@ def _entries(rows: Sequence[tuple[Planned, Outcome]], base: str) -> Iterable[Ent
 def _thumbnail(path: str) -> Pixels | None:
     """The overlay that the run wrote, or a drawing in which nothing was found, reduced; None where there is none."""
     from sketch2shape.pictures.canvas import fit
-    from sketch2shape.read import read_picture
+    from sketch2shape.reading.read import read_picture
 
     try:
         return fit(read_picture(path, reduced=True).pixels, 600, 440)[0]

@@ -9,10 +9,10 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 
-from sketch2shape.convert import Output
+from sketch2shape.conversion.convert import Output
+from sketch2shape.conversion.products import infixed, suffix
 from sketch2shape.errors import UnreadableError, UsageError, WriteError
-from sketch2shape.products import infixed, suffix
-from sketch2shape.read import SUFFIXES
+from sketch2shape.reading.read import SUFFIXES
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ from types import ModuleType
 from typing import Any, Generic, TypeVar
 
 from sketch2shape.batch.worker import PRELOAD, prepare
-from sketch2shape.convert import Outcome, Task, report_failure
+from sketch2shape.conversion.convert import Outcome, Task, report_failure
 from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError
 
 T = TypeVar("T")

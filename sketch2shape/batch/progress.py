@@ -7,7 +7,7 @@ import time
 from types import TracebackType
 from typing import Any, Protocol, TextIO
 
-from sketch2shape.convert import Outcome, Task
+from sketch2shape.conversion.convert import Outcome, Task
 from sketch2shape.errors import one_line
 
 #: seconds between two plain lines

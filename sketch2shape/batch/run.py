@@ -14,16 +14,15 @@ from dataclasses import replace
 from pathlib import Path
 
 from sketch2shape.batch.manifest import Manifest, Past, load_past, options_hash
-from sketch2shape.batch.pages import check_pages, wants_pages, write_pages
+from sketch2shape.batch.pages import check_pages, write_pages
 from sketch2shape.batch.plan import Plan, common_folder, make_plan, settle
 from sketch2shape.batch.pool import run_tasks
 from sketch2shape.batch.progress import Progress, follow
 from sketch2shape.batch.table import check_table, encode_table, show_summary, summary
-from sketch2shape.command import products_of
-from sketch2shape.convert import Outcome, Settings, Task
+from sketch2shape.conversion.convert import Outcome, Settings, Task
+from sketch2shape.conversion.products import PICTURES, product_of, products_of, wants_pages
 from sketch2shape.errors import InterruptedRunError, UsageError
-from sketch2shape.products import PICTURES, product_of
-from sketch2shape.write import FolderLock, exists_error, make_folder, sweep, write_file, write_stdout
+from sketch2shape.writing import FolderLock, exists_error, make_folder, sweep, write_file, write_stdout
 
 Work = Callable[[Task], Outcome]
 

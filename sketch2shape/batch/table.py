@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import Any, TextIO
 
 from sketch2shape.batch.plan import Planned
-from sketch2shape.convert import Outcome
+from sketch2shape.conversion.convert import Outcome
 from sketch2shape.errors import UsageError
 
 _COLUMNS = ("name", "status", "exit_code", "message", "remedy", "objects", "confidence", "seconds", "outputs")

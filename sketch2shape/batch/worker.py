@@ -12,7 +12,12 @@ import threading
 #: modules that the fork server imports once for all workers: what one picture or another needs, also inside functions
 PRELOAD = (
     *("numpy", "cv2", "PIL.PngImagePlugin", "PIL.JpegImagePlugin", "mapbox_earcut", "skimage.morphology"),
-    *("sketch2shape.convert", "sketch2shape.reconstruct", "sketch2shape.ink", "sketch2shape.lift"),
+    *(
+        "sketch2shape.conversion.convert",
+        "sketch2shape.pipeline.reconstruction",
+        "sketch2shape.ink.find",
+        "sketch2shape.lifting",
+    ),
     *("sketch2shape.export.mesh", "sketch2shape.export.obj"),
 )
 

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.model import Solid
-
-if TYPE_CHECKING:
-    from sketch2shape.result import Result
+from sketch2shape.model import Answer, Solid
 
 #: format -> what it is
 FORMATS: dict[str, str] = {
@@ -37,7 +34,7 @@ _SUFFIXES = {**{name: name for name in FORMATS if name != "stl-ascii"}, "stp": "
 _DRAWINGS = ("svg", "dxf")
 
 
-def encode(result: Result | Solid | Sequence[Solid], format: str, *, ngons: bool = False) -> bytes:
+def encode(result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool = False) -> bytes:
     """The file's bytes for a result, a solid or several solids (one body each).
 
     format : a key of `FORMATS`; the drawings "svg" and "dxf" need a whole result
@@ -45,15 +42,13 @@ def encode(result: Result | Solid | Sequence[Solid], format: str, *, ngons: bool
 
     Raises UsageError for an unknown format, NoObjectError if there is no solid.
     """
-    from sketch2shape.result import Result
-
     if format not in FORMATS:
         raise UsageError(f"unknown format {format!r}", remedy=f"one of {', '.join(FORMATS)}")
     if format in _DRAWINGS:
-        if not isinstance(result, Result):
+        if not isinstance(result, Answer):
             raise UsageError(f"{format} shows the drawing and needs a whole result, not solids alone")
         return _drawing(result, format)
-    many = result.solids if isinstance(result, Result) else result
+    many = result.solids if isinstance(result, Answer) else result
     solids = (many,) if isinstance(many, Solid) else tuple(many)
     if not solids:
         raise NoObjectError("there is no object to write")
@@ -70,7 +65,7 @@ def format_of(path: str | PurePath) -> str:
     raise UsageError(f"no format has the extension {last!r}", remedy=f"one of {', '.join(_SUFFIXES)}")
 
 
-def _drawing(result: Result, format: str) -> bytes:
+def _drawing(result: Answer, format: str) -> bytes:
     from sketch2shape.export.drawing import drawing_dxf, drawing_svg
 
     if format == "dxf":

@@ -5,16 +5,15 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.model import Floats, Ints, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Floats, Ints, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit, text_width
 from sketch2shape.pictures.hidden import visible_runs
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, JOIN, MUTED, PAPER, RULE, Colour
-from sketch2shape.result import Result
 
 _SMALLEST, _LARGEST = 720, 2400  # longer side of the overlay, pixels: small drawings are enlarged, huge ones reduced
 
 
-def overlay(result: Result, *, legend: bool = True) -> Pixels:
+def overlay(result: Answer, *, legend: bool = True) -> Pixels:
     """The picture, paled, with each object's faces and edges in their colours and a line of words below.
 
     legend : leave the words out if False, as for a thumbnail
@@ -86,7 +85,7 @@ def _draw_edge(
             canvas.line(p, q, colour, 1.9 * unit, dash=(6.5 * unit, 5 * unit))
 
 
-def _legend(canvas: Canvas, result: Result, top: int, height: int, unit: float) -> None:
+def _legend(canvas: Canvas, result: Answer, top: int, height: int, unit: float) -> None:
     """A line of words for each object under the picture."""
     canvas.box(0, top, canvas.width, unit, RULE)
     for row, obj in enumerate(result.objects):

@@ -14,11 +14,10 @@ from itertools import pairwise
 import cv2
 import numpy as np
 
-from sketch2shape.model import Bools, Floats, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Bools, Floats, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Pixels
 from sketch2shape.pictures.facets import Surface, stand, surface
 from sketch2shape.pictures.palette import BACKDROP, INK, MUTED, PAPER, SHADE, mix
-from sketch2shape.result import Result
 
 _OVERSAMPLE = 2
 _DISTANCE = 4.2  # camera distance in radii of the scene: mild perspective
@@ -62,7 +61,7 @@ def preview(
     return cv2.resize(image, size, interpolation=cv2.INTER_AREA).astype(np.uint8)
 
 
-def preview_of(result: Result, size: tuple[int, int] = (960, 720)) -> Pixels:
+def preview_of(result: Answer, size: tuple[int, int] = (960, 720)) -> Pixels:
     """The result's solids from the side that the drawing shows; see `preview`."""
     return preview(result.solids, size, drawing=result.objects[0] if result.objects else None)
 

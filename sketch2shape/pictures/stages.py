@@ -10,12 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.model import Floats, TwoFaceObject
+from sketch2shape.model import Answer, Floats, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit
 from sketch2shape.pictures.overlay import draw_object
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, MUTED, PAPER, RULE, Colour, mix
 from sketch2shape.pictures.preview import preview_of
-from sketch2shape.result import Result
 
 _WIDTH, _HEIGHT, _GAP, _CAPTION, _COLUMNS = 440, 340, 20, 40, 4
 
@@ -29,7 +28,7 @@ class Stage:
     pixels: Pixels
 
 
-def stages(result: Result) -> Pixels:
+def stages(result: Answer) -> Pixels:
     """All panels on one sheet, four in a row, numbered; (h, w, 3) uint8 RGB."""
     panels = stage_panels(result)
     rows = -(-len(panels) // _COLUMNS)
@@ -46,7 +45,7 @@ def stages(result: Result) -> Pixels:
     return canvas.finish()
 
 
-def stage_panels(result: Result, size: tuple[int, int] = (_WIDTH, _HEIGHT)) -> list[Stage]:
+def stage_panels(result: Answer, size: tuple[int, int] = (_WIDTH, _HEIGHT)) -> list[Stage]:
     """The panels one by one, each `size` (width, height) pixels; the first only, where nothing was found."""
     frame = _Frame.around(result, size)
     panels = [Stage("Input", "The drawing as it was read.", frame.input())]
@@ -80,14 +79,14 @@ def stage_panels(result: Result, size: tuple[int, int] = (_WIDTH, _HEIGHT)) -> l
 class _Frame:
     """Where the picture lies in a panel, and where drawings over it go."""
 
-    result: Result
+    result: Answer
     size: tuple[int, int]
     picture: Pixels
     scale: float
     offset: Floats
 
     @classmethod
-    def around(cls, result: Result, size: tuple[int, int]) -> _Frame:
+    def around(cls, result: Answer, size: tuple[int, int]) -> _Frame:
         picture, scale = fit(result.picture.pixels, size[0], size[1])
         scale /= result.picture.reduction
         h, w = picture.shape[:2]

@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
+from sketch2shape.model import Answer
 from sketch2shape.pictures.canvas import encode_png, fit
 from sketch2shape.pictures.facets import PITCH, YAW, stand, surface
 from sketch2shape.pictures.overlay import overlay
-from sketch2shape.result import Result
 
 
-def viewer(result: Result, title: str | None = None) -> str:
+def viewer(result: Answer, title: str | None = None) -> str:
     """An HTML page that turns the result's solids in 3-D beside the drawing; the same input gives the same text."""
     return _template("viewer.html").substitute(
         title=escape(title or result.picture.source),
@@ -29,7 +29,7 @@ def viewer(result: Result, title: str | None = None) -> str:
     )
 
 
-def facts(result: Result) -> list[tuple[str, str]]:
+def facts(result: Answer) -> list[tuple[str, str]]:
     """What to say about a result in words: (name, value) pairs, one group for each object."""
     rows: list[tuple[str, str]] = []
     for obj, solid in zip(result.objects, result.solids, strict=True):
@@ -47,7 +47,7 @@ def facts(result: Result) -> list[tuple[str, str]]:
     return rows or [("Status", "no two-face object found")]
 
 
-def shape(result: Result) -> dict[str, Any]:
+def shape(result: Answer) -> dict[str, Any]:
     """What the renderer in the page needs, ready for JSON."""
     drawing = result.objects[0] if result.objects else None
     up = stand(result.solids[0], drawing) if result.solids else None
@@ -60,7 +60,7 @@ def shape(result: Result) -> dict[str, Any]:
     }
 
 
-def shape_json(result: Result) -> str:
+def shape_json(result: Answer) -> str:
     """`shape` as text that is safe inside a script element."""
     return json.dumps(shape(result), separators=(",", ":")).replace("<", "\\u003c")
 
@@ -81,6 +81,6 @@ def _template(name: str) -> Template:
     return Template(files("sketch2shape.pictures").joinpath(name).read_text("utf-8"))
 
 
-def _thumb(result: Result) -> Any:
+def _thumb(result: Answer) -> Any:
     pixels = overlay(result)
     return fit(pixels, 900, 900)[0] if max(pixels.shape) > 900 else pixels

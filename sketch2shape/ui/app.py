@@ -26,7 +26,7 @@ from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.ui import jobs
 from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.ui.guard import Guard, Refusal, read_body
-from sketch2shape.ui.serve import LOCAL_NAMES
+from sketch2shape.ui.hosts import LOCAL_NAMES
 from sketch2shape.ui.workers import BusyError, WorkerPool, Workers
 
 _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, media type: nothing else is served

@@ -14,6 +14,8 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from sketch2shape.ui.hosts import host_name
+
 _HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
     "connect-src 'self'; form-action 'none'; frame-ancestors 'none'; base-uri 'none'",
@@ -80,14 +82,6 @@ class Guard:
         if any(k == b"sec-fetch-site" and v not in ("same-origin", "none") for k, v in headers):
             return Refusal(403, "the request comes from another page")
         return None
-
-
-def host_name(host: str) -> str:
-    """The name in a Host header, lower case, without its port; "" if it is not of that form."""
-    name, colon, port = host.rpartition(":")
-    if colon and not host.endswith("]"):
-        return name.lower() if port.isdigit() and len(port) <= 5 else ""
-    return host.lower()
 
 
 async def read_body(request: Request, kinds: tuple[str, ...], most: int) -> bytes:

@@ -8,11 +8,10 @@ import numpy as np
 
 from sketch2shape.corrections import corrected, corrections_from, points_from
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.model import Floats, Picture
+from sketch2shape.model import Answer, Floats, Picture
 from sketch2shape.pictures.canvas import Pixels, encode_jpeg, encode_png, fit
 from sketch2shape.pictures.stages import stage_panels
 from sketch2shape.pictures.viewer import data_uri, shape
-from sketch2shape.result import Result
 
 _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
@@ -31,17 +30,17 @@ def warm_up() -> None:
 
 def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
     """Find the objects of an uploaded picture: all that the page shows of it."""
-    from sketch2shape.detectors import detect_corners
-    from sketch2shape.read import read_picture
-    from sketch2shape.reconstruct import reconstruct
+    from sketch2shape.pipeline import reconstruct
+    from sketch2shape.reading.read import read_picture
+    from sketch2shape.strokes import detect_corners
 
     picture = read_picture(data, name=name, reduced=True)
-    found: Result
+    found: Answer
     try:
         found = reconstruct(picture)
         problem = None
     except NoObjectError as error:
-        found = Result((), (), picture)
+        found = Answer((), (), picture)
         problem = {"error": error.message, "advice": error.advice}
     return {
         **_described(found),
@@ -62,7 +61,7 @@ def lift_corrections(data: Any) -> dict[str, Any]:
 
 def show_stages(picture: bytes, data: Any) -> dict[str, Any]:
     """The stages drawn again for faces that were put right by hand."""
-    from sketch2shape.read import read_picture
+    from sketch2shape.reading.read import read_picture
 
     return {"stages": _stages(_corrected(data, read_picture(picture)))}
 
@@ -82,7 +81,7 @@ def connect_loose(front: Any, back: Any) -> dict[str, Any]:
     """
     from scipy.optimize import linear_sum_assignment
 
-    from sketch2shape.connect import connect
+    from sketch2shape.connectors import connect
 
     f1, f2 = points_from(front, "the front face"), points_from(back, "the back face")
     if len(f1) != len(f2):
@@ -93,7 +92,7 @@ def connect_loose(front: Any, back: Any) -> dict[str, Any]:
     return {"f1": _rounded(f1), "f2": _rounded(f2)}
 
 
-def _corrected(data: Any, picture: Picture | None) -> Result:
+def _corrected(data: Any, picture: Picture | None) -> Answer:
     """The result of corrections sent by the page, for a blank picture of the size they tell if none is given."""
     corrections = corrections_from(data)
     if corrections is None or not corrections.objects:
@@ -111,7 +110,7 @@ def _size(data: Any) -> tuple[int, int]:
     return size[0], size[1]
 
 
-def _described(result: Result) -> dict[str, Any]:
+def _described(result: Answer) -> dict[str, Any]:
     """The objects and solids, as the page keeps them."""
     return {
         "objects": [
@@ -141,7 +140,7 @@ def _rounded(points: Floats) -> list[list[float]]:
     return [[round(float(c), 2) for c in p] for p in points]
 
 
-def _stages(result: Result) -> list[dict[str, str]]:
+def _stages(result: Answer) -> list[dict[str, str]]:
     return [
         {"title": s.title, "sentence": s.sentence, "picture": data_uri(encode_png(s.pixels))}
         for s in stage_panels(result)

@@ -10,9 +10,7 @@ import webbrowser
 from collections.abc import Callable, Sequence
 
 from sketch2shape.errors import MissingPackageError, UsageError
-
-LOCAL_NAMES = frozenset({"127.0.0.1", "localhost", "[::1]"})
-"""Host names that mean this machine."""
+from sketch2shape.ui.hosts import LOCAL_NAMES
 
 
 def build_parser() -> argparse.ArgumentParser:

@@ -14,8 +14,8 @@ import pytest
 import stand_in
 from PIL import Image
 
-from sketch2shape.cli import parse
-from sketch2shape.command import run
+from sketch2shape.command.parser import parse
+from sketch2shape.command.run import run
 from sketch2shape.errors import MissingPackageError, UsageError
 
 pytest.importorskip("distributed")

@@ -8,9 +8,9 @@ import pytest
 
 from sketch2shape.batch.manifest import NAME, Manifest, Past, digest_file, load_past, options_hash
 from sketch2shape.batch.plan import Plan, Planned
-from sketch2shape.convert import Outcome, Output, Settings
+from sketch2shape.conversion.convert import Outcome, Output, Settings
 from sketch2shape.errors import UsageError
-from sketch2shape.limits import Limits
+from sketch2shape.reading.limits import Limits
 
 
 @pytest.fixture

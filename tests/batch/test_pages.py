@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sketch2shape.cli import main
+from sketch2shape.command.parser import main
 from sketch2shape.ui.examples import example_png
 
 

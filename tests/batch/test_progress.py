@@ -7,7 +7,7 @@ import io
 import pytest
 
 from sketch2shape.batch import progress
-from sketch2shape.convert import Outcome, Task
+from sketch2shape.conversion.convert import Outcome, Task
 
 GOOD = (Task("in/a.png", "a.png", ()), Outcome("a.png"))
 BAD = (Task("in/[b].png", "[b].png", ()), Outcome("[b].png", 5, "nothing there", "draw"))

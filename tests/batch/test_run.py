@@ -17,8 +17,8 @@ import stand_in
 from PIL import Image
 
 from sketch2shape.batch.manifest import NAME
-from sketch2shape.cli import parse
-from sketch2shape.command import run
+from sketch2shape.command.parser import parse
+from sketch2shape.command.run import run
 from sketch2shape.errors import UsageError, WriteError
 
 ROOT = Path(__file__).parents[2]
@@ -176,8 +176,8 @@ import signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever runs the tests in the background has it ignored
 sys.path.insert(0, sys.argv.pop(1))
 import stand_in
-from sketch2shape.cli import parse
-from sketch2shape.command import run
+from sketch2shape.command.parser import parse
+from sketch2shape.command.run import run
 sys.exit(run(parse(sys.argv[1:]), stand_in.work))
 """
 

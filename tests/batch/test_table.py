@@ -10,7 +10,7 @@ import pytest
 
 from sketch2shape.batch.plan import Planned
 from sketch2shape.batch.table import check_table, encode_table, show_summary, summary
-from sketch2shape.convert import Outcome
+from sketch2shape.conversion.convert import Outcome
 from sketch2shape.errors import UsageError
 
 ROWS = [

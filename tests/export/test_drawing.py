@@ -6,9 +6,10 @@ import pytest
 from sketch2shape.errors import UsageError
 from sketch2shape.export import encode, format_of
 from sketch2shape.export.hidden import drawing_lines
-from sketch2shape.lift import LiftOptions, lift
-from sketch2shape.model import FacePair, Picture, TwoFaceObject
-from sketch2shape.result import Result
+from sketch2shape.lifting import LiftOptions, lift
+from sketch2shape.model.drawing import FacePair, TwoFaceObject
+from sketch2shape.model.picture import Picture
+from sketch2shape.pipeline.result import Result
 
 FACE = np.array([[100, 100], [300, 100], [300, 250], [100, 250.0]])
 BOX = TwoFaceObject(FACE, FACE + [60, -50])

@@ -7,7 +7,7 @@ import trimesh
 
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.export import encode, format_of, mesh_faces, to_trimesh
-from sketch2shape.model import Projection, Solid
+from sketch2shape.model.solid import Projection, Solid
 
 L_SHAPE = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2.0]])
 HOLE = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sketch2shape.export import encode
-from sketch2shape.model import Projection, Solid
+from sketch2shape.model.solid import Projection, Solid
 
 L_SHAPE = np.array([[0, 0], [30, 0], [30, 10], [20, 10], [10, 10], [10, 20], [0, 20.0]])
 HOLE = np.array([[2.5, 2.5], [7.5, 2.5], [7.5, 7.5], [2.5, 7.5]])

@@ -6,8 +6,8 @@ import pytest
 import trimesh
 
 from sketch2shape.export import encode
-from sketch2shape.lift import LiftOptions, lift
-from sketch2shape.model import TwoFaceObject
+from sketch2shape.lifting import LiftOptions, lift
+from sketch2shape.model.drawing import TwoFaceObject
 
 FACE = np.array([[100, 100], [300, 100], [300, 200], [100, 200.0]])
 SOLIDS = [lift(TwoFaceObject(FACE + s, FACE + s + [30, -40]), options=LiftOptions(width="4cm")) for s in (0, 400)]

@@ -8,8 +8,10 @@ import cv2
 import numpy as np
 import pytest
 
-from sketch2shape.model import FacePair, Picture, Projection, Solid, TwoFaceObject
-from sketch2shape.result import Result
+from sketch2shape.model.drawing import FacePair, TwoFaceObject
+from sketch2shape.model.picture import Picture
+from sketch2shape.model.solid import Projection, Solid
+from sketch2shape.pipeline.result import Result
 
 BOX = [[100, 160], [300, 160], [300, 340], [100, 340]]
 NOTCHED = [[100, 150], [180, 150], [180, 260], [300, 260], [300, 150], [380, 150], [380, 380], [100, 380]]

@@ -4,10 +4,10 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from sketch2shape.lift import LiftOptions, lift
-from sketch2shape.model import TwoFaceObject
+from sketch2shape.lifting import LiftOptions, lift
+from sketch2shape.model.drawing import TwoFaceObject
 from sketch2shape.pictures.facets import stand, surface
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 @pytest.mark.parametrize(("name", "volume"), [("box", 200 * 180 * 150), ("tube", (280 * 240 - 120 * 120) * 150)])

@@ -1,7 +1,7 @@
 import numpy as np
 
 from sketch2shape.pictures import Entry, contact_sheet, encode_png, folder_index, overlay
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 def entries(result: Result) -> list[Entry]:

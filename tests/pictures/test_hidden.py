@@ -1,8 +1,8 @@
 import numpy as np
 
-from sketch2shape.model import TwoFaceObject
+from sketch2shape.model.drawing import TwoFaceObject
 from sketch2shape.pictures.hidden import visible_edges, visible_runs
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 def hidden_pairs(obj: TwoFaceObject) -> set[tuple[int, int]]:

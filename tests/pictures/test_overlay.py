@@ -3,11 +3,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sketch2shape.model import Picture
+from sketch2shape.model.picture import Picture
 from sketch2shape.pictures import encode_png, overlay
 from sketch2shape.pictures.overlay import pale
 from sketch2shape.pictures.palette import BACK, FRONT, JOIN
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 def near(pixel: np.ndarray, colour: tuple[int, int, int]) -> bool:

@@ -5,7 +5,7 @@ import numpy as np
 from sketch2shape.pictures import encode_png, preview
 from sketch2shape.pictures.facets import surface
 from sketch2shape.pictures.preview import _fill, _project, turn
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 def test_the_picture_has_the_size_asked_for_and_the_solid_in_it(notched: Result) -> None:

@@ -2,7 +2,7 @@ import numpy as np
 
 from sketch2shape.pictures import encode_png, stage_panels, stages
 from sketch2shape.pictures.palette import BACK, FRONT
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 def has(pixels: np.ndarray, colour: tuple[int, int, int]) -> bool:

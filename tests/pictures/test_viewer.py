@@ -4,7 +4,7 @@ import re
 from sketch2shape.pictures import viewer
 from sketch2shape.pictures.notebook import notebook_html, notebook_png
 from sketch2shape.pictures.viewer import facts, shape
-from sketch2shape.result import Result
+from sketch2shape.pipeline.result import Result
 
 
 def test_the_page_loads_nothing_from_anywhere(tube: Result) -> None:

@@ -1,6 +1,6 @@
 import pytest
 
-from sketch2shape import reconstruct
+from sketch2shape.pipeline import reconstruct
 from sketch2shape.ui.examples import EXAMPLES, example_png
 
 

@@ -2,7 +2,7 @@ import socket
 
 import pytest
 
-from sketch2shape.cli import main
+from sketch2shape.command.parser import main
 from sketch2shape.errors import UsageError
 from sketch2shape.ui import serve
 from sketch2shape.ui.serve import build_parser

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from sketch2shape.corrections import SCHEMA
+from sketch2shape.corrections.corrections import SCHEMA
 from sketch2shape.errors import LimitError, UsageError
 from sketch2shape.ui.jobs import lift_corrections
 from sketch2shape.ui.workers import BusyError, WorkerPool

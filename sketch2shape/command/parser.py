@@ -1,0 +1,221 @@
+"""The command line: options, and the exit code. Nothing heavy is imported here, so that --help answers at once."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+from sketch2shape import __version__
+from sketch2shape.errors import Sketch2ShapeError, one_line
+
+_DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight solid.
+
+  sketch2shape drawing.png -o solid.obj           one picture, one mesh
+  sketch2shape drawings/ -o meshes/ --json        a folder; its tree is kept
+  sketch2shape ui                                 the same in the browser, and put it right by hand
+  cat drawing.png | sketch2shape - -o - > a.obj   standard input and output"""
+
+_EPILOG = """exit codes: 0 all done, 1 bug, 2 usage, 3 some inputs failed, 4 input unreadable or not an image,
+5 no two-face object found, 6 limit exceeded, 7 cannot write, 8 optional package missing, 130 interrupted"""
+
+_PICTURES = {
+    "overlay": "PNG of the object drawn over the drawing",
+    "stages": "PNG that shows each stage",
+    "preview": "PNG of the shaded solid",
+    "html": "page with the turning solid, needs no network",
+}
+_UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line, like every other failure."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, one_line("sketch2shape", message, "sketch2shape --help") + "\n")
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """The parser, one function for each group of options."""
+    parser = _Parser(
+        prog="sketch2shape",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("inputs", metavar="INPUT", nargs="+", help="image, folder, or - for standard input")
+    parser.add_argument("--version", action="version", version=f"sketch2shape {__version__}")
+    parser.add_argument("--debug", action="store_true", help="show the traceback of a bug")
+    for add in (_output_options, _reading_options, _method_options, _solid_options, _batch_options):
+        add(parser)
+    return parser
+
+
+def parse(argv: Sequence[str]) -> argparse.Namespace:
+    """Parse arguments, in any order. Names after `--` are inputs, even if they begin with a dash."""
+    cut = argv.index("--") if "--" in argv else len(argv)
+    names = ["./" + name if name.startswith("-") and name != "-" else name for name in argv[cut + 1 :]]
+    return build_parser().parse_intermixed_args([*argv[:cut], *names])
+
+
+def _output_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("output")
+    group.add_argument(
+        "-o", "--output", metavar="OUT", action="append", default=[],
+        help="file (its extension picks the format), folder, or - for standard output; may be given several times "
+        "for one picture; default: beside the input",
+    )  # fmt: skip
+    group.add_argument(
+        "--format", metavar="FORMAT", action="append", default=[],
+        help="format where OUT is a folder or -: obj (default), stl, stl-ascii, ply, glb, 3mf, off, step, "
+        "svg and dxf (the drawing), face.svg and face.dxf (the true face), json, overlay, stages, preview, html; "
+        "several: obj,stl",
+    )  # fmt: skip
+    for product, what in _PICTURES.items():
+        group.add_argument(f"--{product}", metavar="FILE", help=f"{what}; for folders use --format {product}")
+    group.add_argument("--json", action="store_true", help="write the report NAME.json beside each mesh")
+    group.add_argument("--timings", action="store_true", help="reports tell the time of each stage")
+    existing = group.add_mutually_exclusive_group()
+    existing.add_argument("--overwrite", action="store_true", help="replace outputs that exist (default: refuse)")
+    existing.add_argument("--versioned", action="store_true", help="keep outputs that exist, write NAME.2.obj")
+
+
+def _reading_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("reading")
+    group.add_argument("--pages", metavar="N|all", default="1", help="page of a TIFF or PDF, or all (default 1)")
+    group.add_argument("--max-pixels", metavar="N", type=_size, help="refuse larger pictures unread (default 64M)")
+    group.add_argument("--max-bytes", metavar="N", type=_bytes, help="refuse larger files unread (default 256M)")
+
+
+def _method_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("method")
+    group.add_argument("--connector", metavar="NAME", default="auto", help="orders face vertices (default auto)")
+    group.add_argument(
+        "--detector", choices=("auto", "both", "shi-tomasi", "harris"), default="auto",
+        help="corner detector that has to see the vertices found (default: both, where there is doubt)",
+    )  # fmt: skip
+    group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
+
+
+def _solid_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("solid")
+    group.add_argument(
+        "--projection", choices=("auto", "oblique", "axonometric", "perspective"), default="auto",
+        help="how the object was projected (default: told from the drawing)",
+    )  # fmt: skip
+    group.add_argument("--width", metavar="L", help="size of the object, as 40mm; it sets the scale")
+    group.add_argument("--height", metavar="L", help="the same by its height")
+    group.add_argument("--depth", metavar="L", help="distance between the two faces, as 25mm")
+    group.add_argument(
+        "--depth-ratio", metavar="R", type=float,
+        help="drawn over true length of receding edges, where the drawing is oblique (default 0.5, cabinet)",
+    )  # fmt: skip
+    group.add_argument("--unit", choices=("px", "mm", "cm", "m", "in"), default="px", help="unit of length")
+    group.add_argument("--up", choices=("y", "z"), help="stand the object upright, this axis upward")
+    group.add_argument("--necker", action="store_true", help="the mirrored reading: near and far exchanged")
+    group.add_argument("--no-beautify", action="store_true", help="leave nearly right angles and equal lengths alone")
+    group.add_argument("--ngons", action="store_true", help="OBJ: whole faces instead of triangles")
+
+
+def _batch_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("folders and several inputs")
+    group.add_argument("--jobs", metavar="N", type=_count, help="worker processes (default: one for each core)")
+    group.add_argument("--timeout", metavar="S", type=_seconds, help="seconds for one input (default 120 in a batch)")
+    group.add_argument("--max-memory", metavar="N", type=_bytes, help="memory for one input (default 4G in a batch)")
+    group.add_argument("--resume", action="store_true", help="go on with a run that was stopped")
+    group.add_argument("--fail-fast", action="store_true", help="stop at the first input that fails")
+    group.add_argument("--dry-run", action="store_true", help="print what would be read and written, and stop")
+    group.add_argument("--index", metavar="FILE.html", help="page with thumbnail, status and links of each input")
+    group.add_argument("--contact-sheet", metavar="FILE.png", help="picture with a thumbnail of each input")
+    group.add_argument("--report", metavar="FILE", help="table of what became of each input, .jsonl or .csv")
+    group.add_argument("--scheduler", metavar="URL", help="run on a Dask cluster, as tcp://host:8786")
+    group.add_argument("--quiet", action="store_true", help="no progress and no summary, failures only")
+
+
+def _count(text: str) -> int:
+    if not text.isdigit() or not 0 < int(text) <= 1024:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 to 1024")
+    return int(text)
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a positive number of seconds")
+    return value
+
+
+def _scaled(text: str, kilo: int) -> int:
+    plain = text.upper().removesuffix("B").removesuffix("I")
+    number, unit = (plain[:-1], plain[-1]) if plain[-1:] in _UNITS and plain[-1:] else (plain, "")
+    try:
+        value = int(float(number) * (_UNITS[unit] if kilo == 1024 else 1000 ** list(_UNITS).index(unit)))
+    except (ValueError, OverflowError):
+        value = 0
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a size such as 500M or 2G")
+    return value
+
+
+def _size(text: str) -> int:
+    return _scaled(text, 1000)
+
+
+def _bytes(text: str) -> int:
+    return _scaled(text, 1024)
+
+
+def _compute_in_one_thread() -> None:
+    """Ask the linear algebra, before it is loaded, not to start threads: for small matrices they only cost time."""
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command and return its exit code."""
+    words = list(sys.argv[1:] if argv is None else argv)
+    arguments = argparse.Namespace(inputs=["ui"], debug=False) if words[:1] == ["ui"] else parse(words)
+    try:
+        if words[:1] == ["ui"]:
+            from sketch2shape.ui.serve import main as serve
+
+            return serve(words[1:])
+        _compute_in_one_thread()
+        from sketch2shape.command.run import run
+
+        return run(arguments)
+    except Sketch2ShapeError as error:
+        _complain(arguments.inputs, error)
+        return error.exit_code
+    except KeyboardInterrupt:
+        _say("sketch2shape: interrupted")
+        return 130
+    except Exception as error:
+        if arguments.debug:
+            raise
+        what = f"internal error ({type(error).__name__}: {error})"
+        _say(one_line("sketch2shape", what, "--debug, and report it as a bug"))
+        return 1
+
+
+def _complain(inputs: Sequence[str], error: Sketch2ShapeError) -> None:
+    about = inputs[0] if len(inputs) == 1 else "sketch2shape"
+    _say(one_line(about, error.message, error.advice))
+
+
+def _say(line: str) -> None:
+    try:
+        sys.stderr.write(line + "\n")
+        sys.stderr.flush()
+    except (OSError, ValueError, AttributeError):  # nobody listens
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""One input from start to end: read, reconstructed, encoded, written, reported."""

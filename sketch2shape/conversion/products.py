@@ -1,0 +1,96 @@
+"""What can be written for one picture: meshes, the report, pictures; each with a file ending and an encoder."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+from sketch2shape.errors import UsageError
+from sketch2shape.model import Answer
+
+#: products that are no mesh -> ending of their files
+SUFFIXES: dict[str, str] = {
+    "json": ".json",
+    "overlay": ".overlay.png",
+    "stages": ".stages.png",
+    "preview": ".preview.png",
+    "html": ".html",
+}
+
+#: products that are pictures of one result, each with an option of its name
+PICTURES = ("overlay", "stages", "preview", "html")
+
+#: products that are no mesh and need a result -> function of the result that gives the bytes
+ENCODERS: dict[str, Callable[[Answer], bytes]] = {
+    "overlay": lambda result: _pictures().encode_png(_pictures().overlay(result)),
+    "stages": lambda result: _pictures().encode_png(_pictures().stages(result)),
+    "preview": lambda result: _pictures().encode_png(_pictures().preview_of(result)),
+    "html": lambda result: _pictures().viewer(result).encode("utf-8"),
+}
+
+
+def _pictures() -> ModuleType:
+    """The pictures, loaded when one is drawn."""
+    from sketch2shape import pictures
+
+    return pictures
+
+
+def suffix(product: str) -> str:
+    """Ending of the files of a product: ".json", ".obj", ... Raises UsageError for an unknown one."""
+    if product in SUFFIXES:
+        return SUFFIXES[product]
+    from sketch2shape.export import FORMATS
+
+    if product not in FORMATS:
+        known = ", ".join([*FORMATS, *SUFFIXES])
+        raise UsageError(f"no format is called {product!r}", remedy=f"--format with one of {known}")
+    return "." + product.partition("-")[0]
+
+
+def infixed(path: str, product: str, infix: str) -> str:
+    """NAME.2.obj for NAME.obj and the infix ".2"; standard output stays what it is."""
+    if path == "-":
+        return path
+    ending = suffix(product)
+    stem = path[: -len(ending)] if path.lower().endswith(ending) else path
+    return stem + infix + path[len(stem) :]
+
+
+def product_of(name: str) -> str:
+    """The product meant by a file name. Raises UsageError."""
+    for product, ending in SUFFIXES.items():
+        if name.lower().endswith(ending):
+            return product
+    from sketch2shape.export import format_of
+
+    return format_of(name)
+
+
+def encode_product(product: str, result: Answer, options: dict[str, Any]) -> bytes:
+    """The bytes of a mesh or a picture. `options` go to the mesh encoder."""
+    if product in ENCODERS:
+        return ENCODERS[product](result)
+    from sketch2shape.export import encode
+
+    return encode(result, product, **options)
+
+
+def wants_pages(arguments: Namespace) -> bool:
+    """Whether pictures of the whole batch are asked for, so that each input needs its overlay."""
+    return bool(arguments.index or arguments.contact_sheet)
+
+
+def products_of(arguments: Namespace) -> list[str]:
+    """The products asked for by name, without doubles: --format, and --json. Raises UsageError for an unknown one."""
+    names = [part.strip().lower() for value in arguments.format for part in value.split(",")]
+    products = list(dict.fromkeys(names or ["obj"]))
+    if wants_pages(arguments) and "overlay" not in products:
+        products.append("overlay")
+    if arguments.json and "json" not in products:
+        products.append("json")
+    for product in products:
+        suffix(product)
+    return products

@@ -1,0 +1,97 @@
+"""The report on one picture, schema "sketch2shape/1": what was found, or why nothing was."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from sketch2shape import __version__
+from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.model import Answer, Solid, TwoFaceObject
+
+SCHEMA = "sketch2shape/1"
+#: decimals of a pixel, and of a unit of length
+_PIXEL_DECIMALS, _LENGTH_DECIMALS = 3, 6
+
+
+def report(
+    answer: Answer | Sketch2ShapeError,
+    *,
+    source: str | None = None,
+    size: tuple[int, int] | None = None,
+    timings_ms: dict[str, float] | None = None,
+) -> dict[str, Any]:
+    """The report as plain data, ready for JSON.
+
+    answer     : a result, or the error that stands for it
+    source     : name of the picture; default: the one in the result
+    size       : (width, height) in pixels, where the answer is an error and the picture was read all the same
+    timings_ms : time of each stage; default: those of the result
+    """
+    if isinstance(answer, Answer):
+        size = answer.picture.size if answer.picture.pixels.size else size
+        source = answer.picture.source if source is None else source
+        timings_ms = answer.timings_ms if timings_ms is None else timings_ms
+    error = answer.error if isinstance(answer, Answer) else answer
+    pairs = zip(answer.objects, answer.solids, strict=True) if isinstance(answer, Answer) else ()
+    return {
+        "schema": SCHEMA,
+        "source": source or "",
+        "width": size[0] if size else None,
+        "height": size[1] if size else None,
+        "status": "ok" if error is None else "failed",
+        "message": None if error is None else error.message,
+        "objects": [_object(obj, solid) for obj, solid in pairs],
+        "timings_ms": {k: round(v, 2) for k, v in (timings_ms or {}).items()},
+        "version": __version__,
+    }
+
+
+def encode_report(data: dict[str, Any]) -> bytes:
+    """UTF-8 JSON with a final newline; ASCII inside, so that any file name survives."""
+    return (json.dumps(data, allow_nan=False) + "\n").encode("ascii")
+
+
+def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
+    described = {
+        "f1": _points(obj.f1, _PIXEL_DECIMALS),
+        "f2": _points(obj.f2, _PIXEL_DECIMALS),
+        "holes": [{"f1": _points(h.f1, _PIXEL_DECIMALS), "f2": _points(h.f2, _PIXEL_DECIMALS)} for h in obj.holes],
+        "edges": obj.edges.tolist(),
+        "projection": {"family": solid.projection.family, **plain(solid.projection.evidence)},
+        "confidence": round(float(obj.confidence), 4),
+        "solid": {
+            "vertices": _points(solid.vertices, _LENGTH_DECIMALS),
+            "unit": solid.unit,
+            "warnings": list(solid.warnings),
+        },
+        "lines": obj.lines,
+        "connectors": {"f1": obj.connectors[0], "f2": obj.connectors[1]},
+        "noise": round(float(obj.noise), 3),
+    }
+    if obj.f2_drawn is not None:
+        described["f2_drawn"] = [bool(seen) for seen in obj.f2_drawn]
+    return described
+
+
+def _points(points: Any, decimals: int) -> list[list[float]]:
+    rounded = np.round(np.asarray(points, float), decimals) + 0.0  # no -0.0
+    return [[float(x) for x in row] for row in rounded]
+
+
+def plain(value: Any) -> Any:
+    """NumPy values, tuples and dataclass-free nests as JSON types; a number that is not finite becomes None."""
+    if isinstance(value, dict):
+        return {str(k): plain(v) for k, v in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple | set | frozenset):
+        return [plain(v) for v in value]
+    if isinstance(value, np.generic):
+        return plain(value.item())
+    if isinstance(value, float):
+        return round(value, 9) if math.isfinite(value) else None
+    return value if value is None or isinstance(value, bool | int | str) else str(value)

@@ -1,0 +1,26 @@
+"""How well a hypothesis explains a drawing, and how sure that makes it."""
+
+from __future__ import annotations
+
+from sketch2shape.evidence.calibration import REFUSE_BELOW, calibrated
+from sketch2shape.evidence.detectors_agree import SURE, vouched
+from sketch2shape.evidence.doubts import doubted
+from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
+from sketch2shape.evidence.sheet import Sheet, sheet_for
+
+__all__ = [
+    "PERFECT",
+    "REFUSE_BELOW",
+    "SURE",
+    "Evidence",
+    "Sheet",
+    "calibrated",
+    "doubted",
+    "is_dashed",
+    "judge",
+    "judge_all",
+    "judge_stack",
+    "most_possible",
+    "sheet_for",
+    "vouched",
+]

@@ -1,0 +1,8 @@
+"""Moving a hypothesis to the ink, and taking needless vertices away."""
+
+from __future__ import annotations
+
+from sketch2shape.fit.refinement import on_map, refine
+from sketch2shape.fit.simplification import simplified
+
+__all__ = ["on_map", "refine", "simplified"]

@@ -1,0 +1,35 @@
+"""What could be the two faces: hypotheses, and the sources that propose them."""
+
+from __future__ import annotations
+
+from sketch2shape.hypotheses.hypothesis import (
+    Frame,
+    Rings,
+    Stack,
+    coincide,
+    frame,
+    plausible,
+    split,
+    stack,
+    which_plausible,
+)
+from sketch2shape.hypotheses.opaque import caps
+from sketch2shape.hypotheses.regions import Region, enclosed_regions, without_edge
+from sketch2shape.hypotheses.wireframe import CornerGraph
+
+__all__ = [
+    "CornerGraph",
+    "Frame",
+    "Region",
+    "Rings",
+    "Stack",
+    "caps",
+    "coincide",
+    "enclosed_regions",
+    "frame",
+    "plausible",
+    "split",
+    "stack",
+    "which_plausible",
+    "without_edge",
+]

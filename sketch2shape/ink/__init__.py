@@ -1,0 +1,8 @@
+"""From pixels to ink: which pixels were drawn, and which of them belong together."""
+
+from __future__ import annotations
+
+from sketch2shape.ink.find import find_ink
+from sketch2shape.ink.groups import Group, split_groups
+
+__all__ = ["Group", "find_ink", "split_groups"]

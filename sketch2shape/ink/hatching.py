@@ -1,0 +1,145 @@
+"""Hatching: a face shaded with parallel lines keeps its outline only.
+
+A hatched face is an area that closes under a small box; inside it nearly all gradients point the same way, and a walk
+across the lines meets many of them at short, even distances. Lines of other directions through it are edges.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from sketch2shape.ink.pen_width import rough_pen_width
+from sketch2shape.model import Bools, Floats, Gray
+
+SPACING = 0.018
+"""Lines of a hatching are at most this share of the picture's diagonal apart."""
+EXTENT = 0.05
+"""A hatched face holds a square of this share of the diagonal."""
+LINES = 10
+"""Least number of lines that a walk across a hatching meets."""
+COHERENCE = 0.6
+"""Least share of the gradients' energy across the lines, less that along them."""
+UNEVEN = 0.35
+"""Greatest standard deviation of the distances between the lines over their mean."""
+LEAVING = 0.02
+"""Greatest share of ink just outside of a hatched face."""
+TURNS = 36
+"""Directions that are tried for the edges through a hatching."""
+
+
+def without_hatching(mask: Bools, diagonal: float) -> Bools:
+    """The ink without hatch lines.
+
+    mask     : (h, w) ink
+    diagonal : of the picture of which this is a part, pixels
+    returns  : (h, w); the same array where nothing is hatched
+    """
+    pen_width = rough_pen_width(mask)
+    if pen_width > 0.6 * SPACING * diagonal:
+        return mask
+    ink = np.asarray(mask, np.bool_).view(np.uint8)
+    box = _box(EXTENT * diagonal)
+    if not _may_be_dense(ink, SPACING * diagonal, EXTENT * diagonal):
+        return mask
+    closed = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, _box(SPACING * diagonal))
+    core = cv2.erode(closed, box)
+    if not core.any():
+        return mask
+    _, labels = cv2.connectedComponents(core, connectivity=8)
+    result = mask
+    for label in range(1, min(int(labels.max()), 8) + 1):
+        area = _grown(np.asarray(labels == label, dtype=np.uint8), np.asarray(closed, dtype=np.uint8), box)
+        angle = _direction(ink, area)
+        if angle is None or not _ends_here(ink, area) or not _even_lines(ink, area, angle, SPACING * diagonal):
+            continue
+        inner = cv2.erode(area, _box(2.0 * pen_width + 5.0)) > 0
+        x, y, w, h = cv2.boundingRect(area)
+        edges = np.zeros_like(mask)
+        edges[y : y + h, x : x + w] = _other_lines(ink[y : y + h, x : x + w], angle, 2.5 * SPACING * diagonal)
+        result = result & (~inner | edges)
+    return result
+
+
+def _may_be_dense(ink: Gray, spacing: float, extent: float) -> bool:
+    """Whether anything closes into an area, seen at a quarter of the size, where gaps are no wider than they are."""
+    coarse = cv2.dilate(ink, np.ones((4, 4), np.uint8))[::4, ::4]
+    closed = cv2.morphologyEx(coarse, cv2.MORPH_CLOSE, _box(spacing / 4 + 2.0))
+    return bool(cv2.erode(closed, np.ones((max(1, int(extent / 4) - 1),) * 2, np.uint8)).any())
+
+
+def _box(size: float) -> Gray:
+    side = 2 * (int(size) // 2) + 1
+    return np.ones((side, side), np.uint8)
+
+
+def _grown(core: Gray, closed: Gray, box: Gray) -> Gray:
+    """The dense area around a core, with the corners that a box does not reach."""
+    area = np.asarray(cv2.dilate(core, box), dtype=np.uint8) & closed
+    for _ in range(len(box) // 3):
+        area = np.asarray(cv2.dilate(area, np.ones((5, 5), np.uint8)), dtype=np.uint8) & closed
+    return area
+
+
+def _direction(ink: Gray, area: Gray) -> float | None:
+    """Angle of the lines in an area, radians, from the structure tensor; None if they have no common direction."""
+    soft = cv2.GaussianBlur(ink * np.uint8(255), (3, 3), 0)
+    inside = cv2.erode(area, np.ones((7, 7), np.uint8)) > 0
+    gx = np.asarray(cv2.Sobel(soft, cv2.CV_32F, 1, 0), dtype=np.float64)[inside]
+    gy = np.asarray(cv2.Sobel(soft, cv2.CV_32F, 0, 1), dtype=np.float64)[inside]
+    xx, yy, xy = float(gx @ gx), float(gy @ gy), float(gx @ gy)
+    if np.hypot(xx - yy, 2 * xy) < COHERENCE * (xx + yy) or xx + yy == 0.0:
+        return None
+    return 0.5 * float(np.arctan2(2 * xy, xx - yy)) + np.pi / 2
+
+
+def _ends_here(ink: Gray, area: Gray) -> bool:
+    """Hardly any line leaves the area, as edges do that happen to run close together."""
+    near, far = (cv2.dilate(area, np.ones((n, n), np.uint8)) for n in (5, 9))
+    ring = (far > 0) & (near == 0)
+    return bool(np.count_nonzero(ink[ring]) < LEAVING * np.count_nonzero(ring))
+
+
+def _even_lines(ink: Gray, area: Gray, angle: float, spacing: float) -> bool:
+    """The straight walk through the area that meets most lines meets many, at short and even distances."""
+    mask = cv2.dilate(ink, np.ones((2, 2), np.uint8)) > 0  # else a walk slips through diagonal lines
+    ys, xs = np.nonzero(area)
+    centre = np.array([xs.mean(), ys.mean()])
+    reach = 0.5 * float(np.hypot(np.ptp(xs), np.ptp(ys)))
+    gaps = np.zeros(0)
+    for turn in (0.5, 0.25, 0.37, 0.63, 0.75):
+        way = angle + turn * np.pi
+        step, aside = np.array([np.cos(way), np.sin(way)]), np.array([-np.sin(way), np.cos(way)])
+        for shift in np.linspace(-0.75, 0.75, 9):
+            met = _gaps(mask, area, centre + shift * reach * aside, step, reach) * np.sin(turn * np.pi)
+            gaps = met if len(met) > len(gaps) else gaps
+    if len(gaps) < LINES - 1:
+        return False
+    return bool(np.median(gaps) < spacing and np.std(gaps) < UNEVEN * np.mean(gaps))
+
+
+def _gaps(mask: Bools, area: Gray, start: Floats, step: Floats, reach: float) -> Floats:
+    """Distances between the lines met on the way from start - reach to start + reach, within the area."""
+    points = np.round(start + np.arange(-reach, reach, 0.5)[:, None] * step).astype(int)
+    h, w = mask.shape
+    points = points[(points >= 0).all(axis=1) & (points[:, 0] < w) & (points[:, 1] < h)]
+    points = points[area[points[:, 1], points[:, 0]] > 0]
+    met = mask[points[:, 1], points[:, 0]].astype(np.int8)
+    return 0.5 * np.diff(np.flatnonzero(np.diff(met) == 1)).astype(np.float64)
+
+
+def _other_lines(ink: Gray, angle: float, length: float) -> Bools:
+    """(h, w) ink on straight lines of some length that do not run along the hatching."""
+    kept = np.zeros_like(ink)
+    for turn in range(3, TURNS - 2):
+        kernel = _line(angle + turn * np.pi / TURNS, length)
+        kept |= np.asarray(cv2.morphologyEx(ink, cv2.MORPH_OPEN, kernel), dtype=np.uint8)
+    return kept > 0
+
+
+def _line(angle: float, length: float) -> Gray:
+    half = int(length / 2)
+    kernel = np.zeros((2 * half + 1, 2 * half + 1), np.uint8)
+    tip = (round(half * float(np.cos(angle))), round(half * float(np.sin(angle))))
+    cv2.line(kernel, (half - tip[0], half - tip[1]), (half + tip[0], half + tip[1]), 1)
+    return kernel

@@ -1,0 +1,85 @@
+"""The object's own axes, and turning it upright into them."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from sketch2shape.lifting.face import edge_vectors
+from sketch2shape.model import Floats
+
+#: edges this close to each other, or to a right angle, run along the same axes, radians
+_ALIGNED = np.deg2rad(3.0)
+
+#: part of the edges' squared length that must run along the axes
+_SHARE = 0.3
+
+
+def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
+    """(3, 3) unit rows: width and height in the face, and the normal from the front to the back face.
+
+    Width and height follow the face's edges: the pair of perpendicular directions along which most length lies, width
+    being the one seen more level. Right-handed like the viewer's axes (right, down, away).
+
+    front   : (m, 3) front face
+    through : (3,) from the front face to the back face
+    """
+    normal = _unit(through, np.array([0.0, 0.0, 1.0]))
+    aside = np.array([0.0, 0.0, -np.sign(normal[0]) or 1.0])  # level too, for a face that looks to the side
+    level = _unit(np.array([1.0, 0.0, 0.0]) - normal[0] * normal, aside)
+    across = _cross(normal, level)
+    lean = _lean(edge_vectors(front, sizes) @ np.array([level, across]).T)
+    width = math.cos(lean) * level + math.sin(lean) * across
+    return np.array([width, _cross(normal, width), normal])
+
+
+def _lean(edges: Floats) -> float:
+    """Angle of the direction, between -45 and 45 degrees, that most of the edges (m, 2) run along or across, radians.
+
+    Squared lengths count, as a long edge says more than many short ones; 0 if no direction has its share.
+    """
+    x, y = edges.T
+    weight, angle = x * x + y * y, np.arctan2(y, x)
+    off = (angle[:, None] - angle + np.pi / 4) % (np.pi / 2) - np.pi / 4
+    near = np.abs(off) < _ALIGNED
+    support = near @ weight
+    best = int(support.argmax())
+    if support[best] <= _SHARE * float(weight.sum()):
+        return 0.0
+    own = weight * near[:, best]
+    mean = float(angle[best]) + float(own @ off[:, best]) / float(own.sum())
+    return float((mean + np.pi / 4) % (np.pi / 2) - np.pi / 4)
+
+
+def upright(vertices: Floats, axes: Floats, up: Literal["y", "z"]) -> tuple[Floats, Floats]:
+    """Vertices and axes turned into the object's own frame, standing on the ground, centred over the origin.
+
+    The own axis that is seen most nearly vertical points along `up`; the direction seen most nearly along the line of
+    sight points to -z for "y" up, to +y for "z" up.
+    """
+    down = axes[np.abs(axes[:, 1]).argmax()]
+    down = down * np.sign(down[1])
+    rest = [a for a in axes if abs(a @ down) < 0.5]
+    away = max(rest, key=lambda a: abs(a[2]))
+    away = away * (np.sign(away[2]) or 1.0)
+    right = np.cross(down, away)
+    turn = np.array([right, -down, -away]) if up == "y" else np.array([right, away, -down])
+    moved, turned = vertices @ turn.T, axes @ turn.T
+    low, high = moved.min(axis=0), moved.max(axis=0)
+    origin = 0.5 * (low + high)
+    height = 1 if up == "y" else 2
+    origin[height] = low[height]
+    return moved - origin, turned
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    """np.cross of two vectors, without what it spends on arrays of them."""
+    (x, y, z), (u, v, w) = a.tolist(), b.tolist()
+    return np.array([y * w - z * v, z * u - x * w, x * v - y * u])
+
+
+def _unit(vector: Floats, default: Floats) -> Floats:
+    size = math.hypot(*vector.tolist())
+    return vector / size if size > 1e-12 else default

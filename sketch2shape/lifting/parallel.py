@@ -1,0 +1,66 @@
+"""Prisms in parallel drawings: oblique, where the face has its true shape, and axonometric, where it is foreshortened.
+
+In an orthographic view of a right prism the connecting vector d is the image of the face's normal. With t along d and n
+across it, the true face is the drawn one stretched by 1 / cos(slant) along t, its depth |d| / sin(slant): one unknown.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sketch2shape.lifting.face import edge_vectors
+from sketch2shape.lifting.shape import Shape
+from sketch2shape.model import Floats
+
+#: drawn over true length of the receding edges of a cabinet drawing, the commonest oblique one
+CABINET = 0.5
+
+#: the same of a cavalier drawing
+CAVALIER = 1.0
+
+
+def axonometric_maps(slants: Floats, d: Floats) -> Floats:
+    """(g, 2, 2) maps from the drawn face to the true one, in the picture's own directions: stretched along d."""
+    t = d / np.hypot(*d)
+    along = np.outer(t, t)
+    return np.eye(2) + (1.0 / np.cos(slants) - 1.0)[:, None, None] * along
+
+
+def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -> Shape:
+    """The right prism drawn so in an orthographic view; see `reading.read_parallel`, slant in radians."""
+    length = float(np.hypot(*d))
+    t = d / length
+    n = np.array([-t[1], t[0]])
+    along = np.array([*(t * np.cos(slant)), -np.sin(slant)])
+    across = np.array([*n, 0.0])
+    pose = np.array([t[0] * along + n[0] * across, t[1] * along + n[1] * across, [*(t * np.sin(slant)), np.cos(slant)]])
+    stretch = axonometric_maps(np.array([slant]), d)[0]
+    middle = face[: sizes[0]].mean(axis=0)
+    flat = (face - middle) @ stretch
+    evidence = {"slant_deg": round(float(np.rad2deg(slant)), 2), "foreshortening": round(float(np.cos(slant)), 4)}
+    depth = length / float(np.sin(slant))
+    return Shape("axonometric", flat, pose, np.array([*middle, 0.0]), depth, stretch, sizes, evidence=evidence)
+
+
+def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float | None, noise: float) -> Shape:
+    """The face as drawn, with the depth that the ratio of drawn to true receding lengths gives.
+
+    ratio : None for `CABINET`, or 1 (cavalier) if the receding edges are drawn just as long as some edge of the face
+    noise : standard deviation of a drawn vertex, pixels
+    """
+    length = float(np.hypot(*d))
+    used = ratio or _likely_ratio(face, sizes, length, noise)
+    evidence = {
+        "depth_ratio": used,
+        "receding_deg": round(float(np.rad2deg(np.arctan2(-d[1], d[0]))), 2),
+    }
+    depth = length / used
+    return Shape(
+        "oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), sizes, free=ratio is None, evidence=evidence
+    )
+
+
+def _likely_ratio(face: Floats, sizes: list[int], length: float, noise: float) -> float:
+    edges = np.hypot(*edge_vectors(face, sizes).T)
+    off_full, off_half = (float(np.abs(edges - times * length).min()) for times in (1.0, 2.0))
+    return CAVALIER if off_full < 2.0 * noise and off_half > 2.0 * noise else CABINET

@@ -1,0 +1,165 @@
+"""Which projection a drawing uses, told from how its two faces are related; the simpler family unless the evidence is
+significant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+
+from sketch2shape.lifting.face_relation import FaceRelation, relate_faces
+from sketch2shape.model import Bools, Floats, Ints, TwoFaceObject
+
+Kind = Literal["parallel", "scaled", "converging"]
+
+#: least standard deviation of a drawn vertex, pixels: nothing is known better than this
+_LEAST_NOISE = 0.3
+
+#: two faces closer to a translation than this part of the object's size are a translation, whatever their noise
+CONVERGENCE = 0.008
+
+#: how often shaking alone may pass for convergence
+_CHANCE = 0.01
+
+#: how many times its own residual a simpler family may miss before the wider one is taken
+_SIGNIFICANT = 2.0
+
+
+#: the vertices of a four-sided object, numbered f1 then f2, by its other two pairs of opposite sides
+_OTHER_PAIRS = (
+    np.array([0, 1, 5, 4, 3, 2, 6, 7]),
+    np.array([1, 2, 6, 5, 0, 3, 7, 4]),
+)
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A two-face object ready for lifting.
+
+    first, second : (m, 2) pixels, all rings of either face
+    sizes         : vertices of each ring
+    relation      : how the faces are related
+    noise         : standard deviation assumed of a drawn vertex, pixels
+    diagonal      : size of the whole object, pixels
+    known         : (m,) bool, where f2 was seen, not inferred
+    hidden        : do dashed or missing lines tell which face is in front?
+    """
+
+    first: Floats
+    second: Floats
+    sizes: list[int]
+    relation: FaceRelation
+    noise: float
+    diagonal: float
+    known: Bools
+    hidden: bool
+
+    @cached_property
+    def pairs(self) -> list[tuple[Drawing, Ints | None]]:
+        """Each pair of opposite sides that can pass for f1 and f2, and its vertices in the old numbers.
+
+        The first is the pair as given, with None; there are two more if the face has four sides and no hole, unless a
+        side crosses itself, as that of no solid does.
+        """
+        found: list[tuple[Drawing, Ints | None]] = [(self, None)]
+        if self.sizes != [4]:
+            return found
+        points = np.concatenate([self.first, self.second])
+        seen = np.concatenate([np.ones(4, bool), self.known])
+        for order in _OTHER_PAIRS:
+            first, second = points[order[:4]], points[order[4:]]
+            if _is_bow(first) or _is_bow(second):
+                return found[:1]
+            known = seen[order[:4]] & seen[order[4:]]
+            relation = relate_faces(first, second, known)
+            found.append((replace(self, first=first, second=second, relation=relation, known=known), order))
+        return found
+
+
+def prepare(obj: TwoFaceObject) -> Drawing:
+    """Split an object into what the lifting needs."""
+    points = _rectified(obj.vertices.astype(np.float64), obj.page)
+    m = len(points) // 2
+    first, second = points[:m], points[m:]
+    known = np.ones(m, bool) if obj.f2_drawn is None else np.asarray(obj.f2_drawn, bool)
+    relation = relate_faces(first, second, known)
+    diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
+    return Drawing(
+        first,
+        second,
+        [len(r.f1) for r in obj.rings],
+        relation,
+        max(float(obj.noise), _LEAST_NOISE),
+        max(diagonal, 1e-6),
+        known,
+        obj.lines != "wire",
+    )
+
+
+def _is_bow(quad: Floats) -> bool:
+    """Do two opposite edges of a (4, 2) ring cross?"""
+    p = quad.tolist()
+    side = [_turn(p[i - 1], p[i], p[(i + 1) % 4]) for i in range(4)]
+    return sum(s > 0.0 for s in side) == 2 and sum(s < 0.0 for s in side) == 2
+
+
+def _turn(a: list[float], b: list[float], c: list[float]) -> float:
+    """Twice the signed area of a triangle."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _rectified(points: Floats, page: Floats | None) -> Floats:
+    """Points as they lie on the page, if the page was photographed at a tilt, in about their size in the picture.
+
+    A homography that sends a point to infinity cannot be that of the page, and is ignored.
+    """
+    if page is None:
+        return points
+    mapped = np.c_[points, np.ones(len(points))] @ np.asarray(page, np.float64).T
+    depth = mapped[:, 2]
+    if not np.isfinite(mapped).all() or np.abs(depth).min() < 1e-9 or np.ptp(np.sign(depth)) > 0:
+        return points
+    flat: Floats = mapped[:, :2] / depth[:, None]
+    size = float(np.linalg.norm(np.ptp(flat, axis=0)))
+    if size <= 0.0:
+        return points
+    scale = float(np.linalg.norm(np.ptp(points, axis=0))) / size
+    placed: Floats = (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
+    return placed
+
+
+def converges(drawing: Drawing, fit_rss: float) -> bool:
+    """Does perspective explain the drawing significantly better than a translation of the faces?
+
+    fit_rss : sum of squared residuals of the back face's vertices in the perspective fit, pixels^2
+
+    Two more numbers are fitted than in a parallel view. The F-test for them at one in a hundred has a closed form;
+    where the fit is better than the drawing's noise, the noise takes its place.
+    """
+    m = len(drawing.first)
+    freedom = max(2 * m - 4, 1)
+    parallel_rss = 2.0 * (2 * m - 2) * drawing.relation.translation_rms**2
+    variance = max(fit_rss / freedom, 2.0 * drawing.noise**2)
+    needed = 0.5 * freedom * (_CHANCE ** (-2.0 / freedom) - 1.0)
+    return bool((parallel_rss - fit_rss) / 2.0 > needed * variance)
+
+
+def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:
+    """Are the faces related by a translation, a homothety or a general homology; with the residuals as evidence."""
+    r = drawing.relation
+    allowed = max(_SIGNIFICANT * drawing.noise, CONVERGENCE * drawing.diagonal)
+    evidence = {
+        "translation_rms_px": round(r.translation_rms, 3),
+        "homothety_rms_px": round(r.homothety_rms, 3),
+        "face_scale": round(r.scale, 4),
+    }
+    if r.translation_rms <= allowed:
+        return "parallel", evidence
+    evidence["concurrence_rms_px"] = round(r.centre_rms, 3)
+    if r.translation_rms <= _SIGNIFICANT * min(r.homothety_rms, r.centre_rms):
+        return "parallel", evidence
+    if r.homothety_rms <= max(_SIGNIFICANT * drawing.noise, _SIGNIFICANT * r.centre_rms) and r.scale > 0:
+        return "scaled", evidence
+    return "converging", evidence

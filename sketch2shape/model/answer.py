@@ -1,0 +1,28 @@
+"""What was found in one picture, as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.model.drawing import TwoFaceObject
+from sketch2shape.model.picture import Picture
+from sketch2shape.model.solid import Solid
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The answer for one picture.
+
+    objects    : the two-face objects found, best first
+    solids     : one solid for each object, same order
+    picture    : the picture it was read from
+    timings_ms : time of each stage, milliseconds
+    error      : why there are no objects, where `reconstruct_many` met a failure; `reconstruct` raises it instead
+    """
+
+    objects: tuple[TwoFaceObject, ...]
+    solids: tuple[Solid, ...]
+    picture: Picture
+    timings_ms: dict[str, float] = field(default_factory=dict)
+    error: Sketch2ShapeError | None = None

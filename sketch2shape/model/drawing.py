@@ -1,0 +1,81 @@
+"""The two-face object found in a drawing, in the picture's plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from sketch2shape.model.arrays import Bools, Floats, Ints
+
+Lines = Literal["wire", "dashed", "removed"]
+"""How hidden edges are drawn: like all others, dashed (or dotted), or not at all."""
+
+
+@dataclass(frozen=True)
+class FacePair:
+    """Two corresponding rings: f1[i] joins f2[i].
+
+    f1 : (n, 2) float, pixels, ring order
+    f2 : (n, 2) float, pixels, same order
+    """
+
+    f1: Floats
+    f2: Floats
+
+
+@dataclass(frozen=True)
+class TwoFaceObject:
+    """The object found in a drawing, in the picture's plane.
+
+    f1, f2     : (n, 2) float pixels, front and back face in ring order, f1[i] joins f2[i]
+    holes      : through-holes, each a pair of corresponding rings
+    confidence : 0..1, calibrated: of answers >= 0.9 at least 99 in 100 are right
+    lines      : how hidden edges are drawn
+    f2_drawn   : (m,) bool for f2 + holes' f2: False where the vertex was inferred, not seen
+    connectors : name of the connector that gave the order of f1 and of f2 ("ink" where the drawing decided)
+    noise      : rms distance between model and ink, pixels
+    page       : (3, 3) homography that rectifies a page photographed at a tilt, or None
+    """
+
+    f1: Floats
+    f2: Floats
+    holes: tuple[FacePair, ...] = ()
+    confidence: float = 1.0
+    lines: Lines = "wire"
+    f2_drawn: Bools | None = None
+    connectors: tuple[str, str] = ("ink", "ink")
+    noise: float = 0.0
+    page: Floats | None = None
+
+    @property
+    def rings(self) -> tuple[FacePair, ...]:
+        """The outer pair of rings, then the holes."""
+        return (FacePair(self.f1, self.f2), *self.holes)
+
+    @property
+    def vertices(self) -> Floats:
+        """(2m, 2) float pixels: f1, holes' f1, f2, holes' f2."""
+        return np.concatenate([r.f1 for r in self.rings] + [r.f2 for r in self.rings])
+
+    @property
+    def edges(self) -> Ints:
+        """(3m, 2) indices into `vertices`: front, back and connecting edges of each ring in turn."""
+        return ring_edges([len(r.f1) for r in self.rings])
+
+    def swapped(self) -> TwoFaceObject:
+        """The same object with f1 and f2 (and those of the holes) exchanged."""
+        holes = tuple(FacePair(h.f2, h.f1) for h in self.holes)
+        return replace(self, f1=self.f2, f2=self.f1, holes=holes, connectors=self.connectors[::-1])
+
+
+def ring_edges(sizes: list[int]) -> Ints:
+    """(3m, 2) edges of a two-face object with rings of these sizes (sum m); order as in `TwoFaceObject.edges`."""
+    half, start, blocks = sum(sizes), 0, []
+    for n in sizes:
+        a = np.arange(start, start + n)
+        b = np.append(a[1:], start)
+        blocks += [np.stack([a, b], axis=1), np.stack([a, b], axis=1) + half, np.stack([a, a + half], axis=1)]
+        start += n
+    return np.concatenate(blocks).astype(np.intp)

@@ -1,0 +1,114 @@
+"""The pipeline: read -> ink -> strokes -> corners -> faces -> verified object -> solid."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from sketch2shape.connectors import check_connector, connector_of
+from sketch2shape.errors import NoObjectError
+from sketch2shape.evidence import REFUSE_BELOW, SURE, calibrated, vouched
+from sketch2shape.model import Ink, TwoFaceObject
+from sketch2shape.pipeline.result import Result
+from sketch2shape.search import Found, as_object, find_all
+from sketch2shape.strokes import check_detector
+
+if TYPE_CHECKING:
+    from sketch2shape.corrections import Corrections
+    from sketch2shape.lifting import LiftOptions
+    from sketch2shape.reading.limits import Limits
+
+
+def reconstruct(
+    source: Any,
+    *,
+    connector: str = "auto",
+    detector: str = "auto",
+    limits: Limits | None = None,
+    lift: LiftOptions | None = None,
+    corrections: Corrections | None = None,
+) -> Result:
+    """The solid shown in a drawing.
+
+    source      : path, bytes, PIL image, array (gray, RGB, RGBA) or `Picture`
+    connector   : orders the vertices of each face where the ink agrees: "auto", a method of `connect`, or "ink"
+    detector    : "shi-tomasi", "harris" or "both" have to see the vertices found, or confidence falls; "auto" asks both
+                  where there is doubt
+    limits      : what is refused before decoding
+    lift        : how to read the third dimension
+    corrections : what a person put right by hand; complete ones replace the reading
+
+    Raises UsageError for an unknown connector or detector, UnreadableError, LimitError, or NoObjectError if no two-face
+    object is found with enough confidence.
+    """
+    from sketch2shape.corrections import corrected, lift_options
+    from sketch2shape.ink import find_ink
+    from sketch2shape.lifting import LiftOptions, choose_front
+    from sketch2shape.lifting import lift as lift_object
+    from sketch2shape.reading.read import read_picture
+
+    check_connector(connector)
+    if detector != "auto":
+        check_detector(detector)
+    timings: dict[str, float] = {}
+    options = lift or LiftOptions()
+    with _timed(timings, "read"):
+        picture = read_picture(source, limits, reduced=True)
+    if corrections is not None and corrections.complete:
+        given = corrected(picture, corrections, options)
+        return Result(given.objects, given.solids, given.picture)
+    with _timed(timings, "ink"):
+        ink = find_ink(picture)
+    with _timed(timings, "faces"):
+        objects = tuple(_as_object(f, ink, connector, detector) for f in find_all(ink))
+    sure = tuple(choose_front(o) for o in objects if o.confidence >= REFUSE_BELOW)
+    if not sure:
+        raise NoObjectError(_why_not(objects, ink))
+    with _timed(timings, "lift"):
+        solids = tuple(
+            lift_object(o, picture_size=picture.size, options=lift_options(corrections, k, options))
+            for k, o in enumerate(sure)
+        )
+    return Result(sure, solids, picture, timings)
+
+
+@contextmanager
+def _timed(timings: dict[str, float], stage: str) -> Iterator[None]:
+    begin = time.perf_counter()
+    yield
+    timings[stage] = (time.perf_counter() - begin) * 1000
+
+
+def _as_object(found: Found, ink: Ink, connector: str, detector: str) -> TwoFaceObject:
+    """In picture pixels, with the connector that gives each face the order that the ink shows."""
+    obj = as_object(found.rings, found.evidence, ink)
+    return replace(
+        obj,
+        confidence=_confidence(found, ink, detector),
+        connectors=(connector_of(obj.f1, connector), connector_of(obj.f2, connector)),
+        noise=found.noise / ink.scale,
+    )
+
+
+def _confidence(found: Found, ink: Ink, detector: str) -> float:
+    """How sure the object is: how well it explains the ink, less if the corner detectors do not see its vertices."""
+    score = found.evidence.score
+    if detector != "auto" or score < SURE:
+        back = np.concatenate(found.rings.back)[found.evidence.drawn]
+        drawn = np.concatenate([*found.rings.front, back])
+        score *= vouched(ink, drawn, "both" if detector == "auto" else detector, found.noise)
+    return calibrated(score)
+
+
+def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink) -> str:
+    if not ink.mask.any():
+        return "the picture is blank: no ink was found"
+    if not objects:
+        return "no two faces joined by connecting edges were found"
+    best = max(o.confidence for o in objects)
+    return f"the best two-face object explains the drawing too badly (confidence {best:.2f})"

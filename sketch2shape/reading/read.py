@@ -1,0 +1,323 @@
+"""Reading a picture from a path, bytes, a PIL image or an array, without trusting it.
+
+Strategy: open the file without blocking and refuse whatever is no regular file; read at most `max_bytes`; know the
+format by its first bytes, never by its name; let Pillow read the header with the one plugin that this format needs
+(never the plugins that start other programs); check the size; only then decode.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import stat
+from collections.abc import Callable, Iterator
+from typing import IO, TYPE_CHECKING, Any, TypeVar
+
+from sketch2shape.errors import LimitError, Sketch2ShapeError, UnreadableError, UsageError
+from sketch2shape.model import Picture
+from sketch2shape.reading.limits import Limits
+from sketch2shape.reading.pixels import from_array, from_image
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from PIL.Image import Image
+
+    Source = str | os.PathLike[str] | bytes | bytearray | memoryview | IO[bytes] | Image | NDArray[Any] | Picture
+    Pixels = NDArray[np.uint8]
+
+R = TypeVar("R")
+
+ENOUGH = 960
+"""Long side down to which a reduced copy goes: about the working size of the ink."""
+
+#: format -> Pillow plugin module
+PLUGINS = {
+    "PNG": "PngImagePlugin",
+    "JPEG": "JpegImagePlugin",
+    "WEBP": "WebPImagePlugin",
+    "TIFF": "TiffImagePlugin",
+    "BMP": "BmpImagePlugin",
+    "GIF": "GifImagePlugin",
+    "PPM": "PpmImagePlugin",
+}
+#: formats that need the extra `formats`
+EXTRA = ("HEIF", "PDF", "SVG")
+
+#: file name endings that make a file of a folder an input
+SUFFIXES = frozenset(
+    f".{ending}"
+    for ending in (
+        *("png", "apng", "jpg", "jpeg", "jpe", "jfif", "webp", "tif", "tiff", "bmp", "dib", "gif"),
+        *("pnm", "pbm", "pgm", "ppm", "heic", "heif", "hif", "pdf", "svg", "svgz"),
+    )
+)
+
+_PREFIXES = (
+    (b"\x89PNG\r\n\x1a\n", "PNG"),
+    (b"\xff\xd8\xff", "JPEG"),
+    (b"II*\0", "TIFF"),
+    (b"MM\0*", "TIFF"),
+    (b"II+\0", "TIFF"),
+    (b"MM\0+", "TIFF"),
+    (b"BM", "BMP"),
+    (b"GIF87a", "GIF"),
+    (b"GIF89a", "GIF"),
+    (b"%PDF-", "PDF"),
+    (b"\x1f\x8b", "SVG"),
+)
+_HEIF_BRANDS = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"mif1", b"msf1")
+
+
+def read_picture(
+    source: Source, limits: Limits | None = None, *, page: int = 0, name: str | None = None, reduced: bool = False
+) -> Picture:
+    """Read one picture, as a viewer would show it.
+
+    source : path, encoded bytes, open binary file, PIL image, or array (h, w), (h, w, 3) or (h, w, 4) of integers or
+             booleans; a Picture is returned as it is
+    page   : page of a TIFF or PDF, from 0; an animation gives its first frame
+    name   : what messages and reports call it; default: the path, or a word for the kind of source
+    reduced : decode a large JPEG no finer than the ink is looked for, in a fraction of the time; `Picture.size` is
+              that of the whole
+
+    EXIF orientation is applied, palettes and CMYK become RGB, 16 bits are scaled to 8, transparency is composited over
+    white (over black where the ink itself is light).
+
+    Raises UnreadableError, LimitError, MissingPackageError.
+    """
+    limits = limits or Limits()
+    if isinstance(source, Picture):
+        return source
+    label = name or source_name(source)
+    if not isinstance(source, str | os.PathLike | bytes | bytearray | memoryview) and not hasattr(source, "read"):
+        return Picture(_pixels(source, limits), label)
+    pixels, full_size = _decode(read_bytes(source, limits), limits, page, reduced)
+    return Picture(pixels, label, full_size)
+
+
+def read_pages(source: Source, limits: Limits | None = None, *, name: str | None = None) -> Iterator[Picture]:
+    """Every page of a TIFF or PDF in turn, or the one picture of any other source. Raises as `read_picture`."""
+    limits = limits or Limits()
+    if not isinstance(source, str | os.PathLike | bytes | bytearray | memoryview):
+        yield read_picture(source, limits, name=name)
+        return
+    data = read_bytes(source, limits)
+    for page in range(count_pages(data)):
+        yield read_picture(data, limits, page=page, name=name or source_name(source))
+
+
+def source_name(source: Source) -> str:
+    """What to call a source in messages: its path, or a word for its kind."""
+    if isinstance(source, str | os.PathLike):
+        return os.fspath(source)
+    if isinstance(source, Picture):
+        return source.source
+    if isinstance(source, bytes | bytearray | memoryview):
+        return "<bytes>"
+    filename = getattr(source, "filename", None) or getattr(source, "name", None)
+    return filename if isinstance(filename, str) and filename else f"<{type(source).__name__.lower()}>"
+
+
+def _pixels(source: Any, limits: Limits) -> Pixels:
+    """Of what has been decoded already."""
+    if hasattr(source, "__array_interface__") and not hasattr(source, "getbands"):
+        return from_array(source, limits)
+    if hasattr(source, "getbands"):
+        limits.check_size(*source.size)
+        return _guarded(lambda: from_image(source))
+    raise UnreadableError(
+        f"{type(source).__name__} is no picture", remedy="a path, bytes, a PIL image or an array of integers"
+    )
+
+
+def read_bytes(source: Any, limits: Limits) -> bytes:
+    """The encoded bytes of a path, an open binary file or a bytes-like object. Raises UnreadableError, LimitError."""
+    if isinstance(source, bytes | bytearray | memoryview):
+        limits.check_bytes(len(source))
+        data = bytes(source)
+    elif isinstance(source, str | os.PathLike):
+        data = _read_file(source, limits)
+    else:
+        data = source.read(limits.max_bytes + 1)
+        if not isinstance(data, bytes):
+            raise UnreadableError("the open file gives text, not bytes", remedy="open it in binary mode")
+        limits.check_bytes(len(data))
+    if not data:
+        raise UnreadableError("the file is empty")
+    return data
+
+
+def _read_file(path: str | os.PathLike[str], limits: Limits) -> bytes:
+    """Read a regular file; anything else (a pipe would block, a device never end) is refused unread."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    except (OSError, ValueError) as error:
+        raise UnreadableError(_why(error), remedy=_remedy(error)) from None
+    try:
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            raise UnreadableError(f"{_kind(status.st_mode)}, not a picture file")
+        limits.check_bytes(status.st_size)
+        with open(descriptor, "rb", buffering=0, closefd=False) as file:
+            data = file.read(limits.max_bytes + 1)
+    except OSError as error:
+        raise UnreadableError(_why(error)) from None
+    finally:
+        os.close(descriptor)
+    limits.check_bytes(len(data))
+    return data
+
+
+def _why(error: OSError | ValueError) -> str:
+    """The reason the system gives, as the middle of a sentence."""
+    reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return reason[:1].lower() + reason[1:]
+
+
+def _remedy(error: OSError | ValueError) -> str:
+    if isinstance(error, FileNotFoundError):
+        return "check the path"
+    if isinstance(error, PermissionError):
+        return "chmod +r, or another user"
+    return "another file"
+
+
+def _kind(mode: int) -> str:
+    kinds = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a named pipe"), (stat.S_ISSOCK, "a socket"))
+    return next((word for test, word in kinds if test(mode)), "a device")
+
+
+def sniff(data: bytes) -> str | None:
+    """The format of encoded bytes, by their first bytes: a key of PLUGINS, one of EXTRA, or None."""
+    for prefix, name in _PREFIXES:
+        if data.startswith(prefix):
+            return name
+    if data[:4] == b"RIFF" and data[8:12] == b"WEBP":
+        return "WEBP"
+    if data[4:8] == b"ftyp" and data[8:12] in _HEIF_BRANDS:
+        return "HEIF"
+    if data[:1] == b"P" and data[1:2] in b"123456" and data[2:3].isspace():
+        return "PPM"
+    head = data[:1024].lstrip(b"\xef\xbb\xbf \t\r\n")
+    return "SVG" if head.startswith(b"<") and b"<svg" in data[:65536] else None
+
+
+def _format(data: bytes) -> str:
+    name = sniff(data)
+    if name is None:
+        text = b"\0" not in data[:4096]
+        raise UnreadableError("not a picture (it looks like text)" if text else "not a picture of a known format")
+    return name
+
+
+def count_pages(data: bytes) -> int:
+    """How many pages encoded bytes hold: those of a TIFF or PDF, else 1. Raises UnreadableError."""
+    name = _format(data)
+    if name == "PDF":
+        from sketch2shape.reading.extra_formats import count_pdf_pages
+
+        return _guarded(lambda: count_pdf_pages(data))
+    if name != "TIFF":
+        return 1
+    return int(_guarded(lambda: getattr(_open(data, name), "n_frames", 1)))
+
+
+def _decode(data: bytes, limits: Limits, page: int, reduced: bool) -> tuple[Pixels, tuple[int, int] | None]:
+    """The pixels and, where they are a reduced copy, the width and height of the picture."""
+    name = _format(data)
+    if name in EXTRA:
+        from sketch2shape.reading.extra_formats import decode_extra
+
+        return _guarded(lambda: from_image(decode_extra(name, data, limits, page))), None
+    if name == "WEBP":
+        limits.check_size(*webp_size(data))
+
+    def decode() -> tuple[Pixels, tuple[int, int] | None]:
+        image = _open(data, name)
+        if page:
+            image.seek(page)
+        limits.check_size(*image.size)
+        full_size = image.size
+        if not (reduced and _reduce(image)):
+            return from_image(image), None
+        pixels = from_image(image)
+        upright = (pixels.shape[1] > pixels.shape[0]) == (full_size[0] > full_size[1])
+        return pixels, full_size if upright else full_size[::-1]
+
+    return _guarded(decode)
+
+
+def _open(data: bytes, name: str) -> Image:
+    """Read the header, with the plugin for this format alone."""
+    from importlib import import_module
+
+    from PIL import Image
+
+    import_module(f"PIL.{PLUGINS[name]}")
+    return Image.open(io.BytesIO(data), formats=[name])
+
+
+def _reduce(image: Image) -> bool:
+    """Have a large JPEG decoded at a half, a quarter or an eighth, by its cosine transform; whether that will be."""
+    w, h = image.size
+    step = next((s for s in (8, 4, 2) if max(w, h) >= s * ENOUGH), 1)
+    return step > 1 and min(w, h) >= step and image.draft(None, (w // step, h // step)) is not None
+
+
+def webp_size(data: bytes) -> tuple[int, int]:
+    """Width and height from the header of a WebP file, whose decoder reserves memory for them as soon as it is opened.
+
+    Source: RFC 9649, sections 2.5 to 2.7. Raises UnreadableError.
+    """
+    kind, body = data[12:16], data[20:30]
+    if len(body) == 10:
+        if kind == b"VP8X":
+            return 1 + int.from_bytes(body[4:7], "little"), 1 + int.from_bytes(body[7:10], "little")
+        if kind == b"VP8L":
+            bits = int.from_bytes(body[1:5], "little")
+            return 1 + (bits & 0x3FFF), 1 + (bits >> 14 & 0x3FFF)
+        if kind == b"VP8 ":
+            return int.from_bytes(body[6:8], "little") & 0x3FFF, int.from_bytes(body[8:10], "little") & 0x3FFF
+    raise UnreadableError("damaged WebP header")
+
+
+def _guarded(decode: Callable[[], R]) -> R:
+    """Run a decoder on bytes of a stranger and turn whatever it raises into an error of ours.
+
+    Decoders raise nearly every class of exception on damaged input (struct.error, KeyError, SyntaxError, ...), so this
+    is the one place that catches them all.
+    """
+    import warnings
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return decode()
+    except Sketch2ShapeError:
+        raise
+    except MemoryError:
+        raise LimitError("not enough memory to decode it") from None
+    except EOFError:
+        raise UnreadableError("damaged, or it has no such page", remedy="a complete file, or a lower --page") from None
+    except Exception as error:
+        if type(error).__name__ == "DecompressionBombError":
+            pixels = next((int(word) for word in str(error).replace("(", "").split() if word.isdigit()), 0)
+            raise LimitError(f"{pixels / 1e6:.0f} megapixels are too many", remedy="a smaller picture") from None
+        raise UnreadableError(f"damaged ({_first_line(error)})", remedy="save or download it again") from error
+
+
+def _first_line(error: Exception) -> str:
+    """What a decoder said, short, without object addresses, which would differ from run to run."""
+    lines = str(error).splitlines()
+    text = lines[0] if lines else ""
+    return type(error).__name__ if not text or " object at 0x" in text else text[:120]
+
+
+def parse_page(text: str) -> int | None:
+    """Read `--pages`: a page number from 1, returned from 0, or "all" (None). Raises UsageError."""
+    if text == "all":
+        return None
+    if text.isdigit() and int(text) > 0:
+        return int(text) - 1
+    raise UsageError(f"--pages {text}", remedy="--pages 1, another page number, or --pages all")

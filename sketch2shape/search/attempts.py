@@ -1,0 +1,217 @@
+"""Attempts: what each round makes of a drawing.
+
+A round traces strokes, joins their ends to corners, asks both face separators (`separate` where all edges are drawn,
+`caps` where the back is dashed or missing) for hypotheses, best first and within a budget, and has them verified.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+
+import cv2
+import numpy as np
+
+from sketch2shape.evidence import Evidence, Sheet, sheet_for
+from sketch2shape.geometry import thinned
+from sketch2shape.hypotheses import Rings
+from sketch2shape.hypotheses import opaque as caps
+from sketch2shape.hypotheses import wireframe as separate
+from sketch2shape.ink import Group
+from sketch2shape.search.shortlist import ENOUGH, Judged, shortlist
+from sketch2shape.search.tolerances import CLOSE, Round, Traced, corner_graph, in_threes, rounds_for, vertex_candidates
+from sketch2shape.strokes import Skeleton, crossed
+
+GOOD = 0.98
+"""Score of an answer that only has to hold against those of the next round."""
+POOR = 0.8
+"""A round whose best hypothesis scores less is refined only if no other round does better."""
+MOST_STEPS = 24000
+"""Steps of the search for cycles in one round, ..."""
+MOST_STEPS_IN_ALL = 2 * MOST_STEPS
+"""... and in all rounds: grids and walls have cycles without end, the most a drawing took was 37,600."""
+COARSEST = 0.1
+"""Reach, as a part of the ink's narrow side, beyond which everything fits: letters would be objects."""
+OUTLINED = 400
+"""Pixels of the skeleton that tell how narrow the ink is."""
+STEADY = 0.4
+"""Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
+ROUGH = 0.9
+"""Score that the roughest round has to reach: so much tolerance finds something in any tangle."""
+CONTENT = 0.95
+"""Score from which neither the roughest round nor a close look is worth taking."""
+UNSTEADY = 0.5
+"""Wobble of strokes, pixels, with which the round for ruled lines is left out."""
+RULED = 3.0
+"""Reach of a round, pixels, up to which lines count as ruled."""
+SEE_THROUGH = 2
+"""Strokes that run across each other from which a drawing is likely to show its hidden edges."""
+FEW_IN_THREES = 0.4
+"""Part of the stroke ends that meet in threes below which lines no ruler drew are no wireframe: so traced, at least."""
+EARLY = 4
+"""Rounds of such a drawing that look for it alone before any looks for faces with nothing behind them."""
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """The outcome of one round, before refinement.
+
+    number    : of the round
+    traced    : the drawing as the round saw it
+    shortlist : the best few hypotheses, the best first
+    sheet     : what they were compared with
+    """
+
+    number: int
+    traced: Traced
+    shortlist: list[Judged]
+    sheet: Sheet
+
+    @property
+    def score(self) -> float:
+        """Of the best hypothesis; 0 if there is none."""
+        return self.shortlist[0][1].score if self.shortlist else 0.0
+
+    @property
+    def best(self) -> Rings:
+        """The best hypothesis."""
+        return self.shortlist[0][0]
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether all of the best hypothesis has been drawn, whatever else has."""
+        return bool(self.shortlist) and is_sound(self.shortlist[0][1])
+
+
+def is_sound(evidence: Evidence) -> bool:
+    """Whether all that should have been drawn has, whatever else has been drawn."""
+    return evidence.score >= POOR and evidence.support > 0.97 and evidence.weakest > 0.8
+
+
+@dataclass(frozen=True, eq=False)
+class _Look:
+    """A round's look at a drawing; nothing is worked out before it is asked for."""
+
+    number: int
+    round: Round
+    traced: Traced
+    steps: Iterator[int]
+
+    @cached_property
+    def sheet(self) -> Sheet:
+        return sheet_for(self.traced.group, self.traced.skeleton, self.round.reach)
+
+    @cached_property
+    def graph(self) -> separate.CornerGraph:
+        traced, pen = self.traced, self.traced.skeleton.pen_width
+        points = vertex_candidates(traced.strokes, traced.corners, self.round, pen)
+        return corner_graph(traced.skeleton, points, self.round.reach)
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether lines are straight enough to be ruled ones."""
+        return self.traced.wobble <= UNSTEADY
+
+    @cached_property
+    def crossed(self) -> int:
+        """How often strokes run across each other."""
+        return len(crossed(self.traced.strokes, self.traced.skeleton.pen_width + self.round.trace / 2))
+
+    @cached_property
+    def wires(self) -> Attempt:
+        """With all edges drawn."""
+        return self._with_wires([])
+
+    def attempt(self) -> Attempt:
+        """With all edges drawn or, if that is not good, with the hidden ones dashed or missing."""
+        # hidden edges of ruled lines cross others
+        is_opaque = self.crossed == 0 and self.is_steady
+        found = self._attempt([]) if is_opaque else self.wires
+        for source in (caps.caps, caps.loose_caps)[: 1 + self.round.loose]:
+            if found.score < GOOD:
+                hypotheses = source(self.graph, self.traced.regions, self.traced.skeleton.pen_width)
+                found = self._attempt(shortlist(hypotheses, self.sheet, found.shortlist))
+        return self._with_wires(found.shortlist) if is_opaque and found.score < GOOD else found
+
+    def _with_wires(self, known: list[Judged]) -> Attempt:
+        is_ruled = self.round.reach <= RULED
+        if not (is_ruled and self.is_steady) and in_threes(self.traced.corners) < FEW_IN_THREES:
+            return self._attempt(known)
+        # within the width of a ruled line there is no second answer to a wireframe
+        enough = 1 if is_ruled else ENOUGH
+        return self._attempt(shortlist(wire_hypotheses(self.graph, self.steps), self.sheet, known, enough))
+
+    def _attempt(self, found: list[Judged]) -> Attempt:
+        return Attempt(self.number, self.traced, found, self.sheet)
+
+
+def _looks(group: Group, skeleton: Skeleton, steps: Iterator[int]) -> Iterator[_Look]:
+    """The rounds that promise anything, as far as the drawing alone can tell."""
+    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
+    some = skeleton.points[thinned(len(skeleton.points), OUTLINED)]
+    narrow = min(cv2.minAreaRect(some.astype(np.float32))[1])
+    traced = Traced(group, skeleton, 0.0)
+    for k, tolerant in enumerate(rounds_for(size, skeleton.pen_width)):
+        if k and tolerant.reach > COARSEST * narrow:
+            break
+        if traced.tolerance != tolerant.trace:
+            traced = Traced(group, skeleton, tolerant.trace)
+        look = _Look(k, tolerant, traced, steps)
+        if k or look.is_steady:
+            yield look
+
+
+def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
+    """Round after round, but for those that promise nothing new."""
+    steps = iter(range(MOST_STEPS_IN_ALL))
+    looks = list(_looks(group, skeleton, steps))
+    found: list[Attempt] = []
+    early = _early(looks)
+    for look in early:
+        yield look.wires
+    for look in looks:
+        if look.number == 1 and found and found[-1].is_sound:
+            continue
+        if look.round.last_resort and found and max(a.score for a in found) >= CONTENT:
+            break
+        attempt = look.attempt()
+        if look.round.last_resort and attempt.score < ROUGH:
+            break
+        found.append(attempt)
+        if look not in early or attempt is not look.wires:
+            yield attempt
+    traced = Traced(group, skeleton, CLOSE.trace)
+    if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
+        yield _Look(len(found), CLOSE, traced, steps).attempt()
+
+
+def _early(looks: list[_Look]) -> list[_Look]:
+    """Those that look for a wireframe alone: the first few, if strokes cross. A fine trace cuts wavy ones in pieces."""
+    first = looks[:EARLY]
+    some = first[:1] if first and first[0].is_steady else first
+    return first if any(look.crossed >= SEE_THROUGH for look in some) else []
+
+
+def wire_hypotheses(graph: separate.CornerGraph, steps: Iterable[int] = range(MOST_STEPS)) -> Iterator[Rings]:
+    """Closed ladders of rungs, each also with the smaller ones inside it as holes, within what is left of the steps."""
+    left = islice(steps, MOST_STEPS)
+    for ladder in separate.ladders(graph):
+        found: dict[frozenset[int], Rings] = {}
+        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, left):
+            key = frozenset(cycle.tolist())
+            if key not in found:
+                found[key] = separate.ring_pair(ladder, graph, cycle)
+                yield found[key]
+        if len(found) > 1:
+            yield from _holed(found)
+
+
+def _holed(found: dict[frozenset[int], Rings]) -> Iterator[Rings]:
+    keys = sorted(found, key=len, reverse=True)
+    for key in keys[:6]:
+        others = [found[k] for k in keys if not k & key]
+        rings = separate.with_holes(found[key], others[:8]) if others else None
+        if rings is not None:
+            yield rings

@@ -1,0 +1,15 @@
+"""Files that are there whole or not at all."""
+
+from __future__ import annotations
+
+from sketch2shape.writing.files import (
+    FolderLock,
+    exists_error,
+    make_folder,
+    quiet_stderr,
+    sweep,
+    write_file,
+    write_stdout,
+)
+
+__all__ = ["FolderLock", "exists_error", "make_folder", "quiet_stderr", "sweep", "write_file", "write_stdout"]

@@ -1,0 +1,125 @@
+"""A single picture through the command."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import sys
+
+import pytest
+import stand_in
+from PIL import Image
+
+from sketch2shape.command.parser import parse
+from sketch2shape.command.run import run, stage_options
+from sketch2shape.errors import UsageError, WriteError
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Image.new("L", (40, 30), 0).save("a.png")
+    Image.new("L", (40, 30), 255).save("blank.png")
+    return tmp_path
+
+
+def command(*arguments):
+    return run(parse(arguments), stand_in.work)
+
+
+def files(folder="."):
+    return sorted(n for n in os.listdir(folder) if not n.endswith(".png"))
+
+
+def test_beside_the_input_by_default(here):
+    assert command("a.png") == 0
+    assert files() == ["a.obj"]
+
+
+def test_an_existing_file_is_refused_replaced_or_kept(here):
+    (here / "a.obj").write_text("mine")
+    with pytest.raises(WriteError, match=r"a\.obj exists already"):
+        command("a.png")
+    assert (here / "a.obj").read_text() == "mine"
+    assert command("a.png", "--versioned", "--json") == 0
+    assert files() == ["a.2.json", "a.2.obj", "a.obj"]
+    assert command("a.png", "--overwrite") == 0
+    assert (here / "a.obj").read_bytes() == (here / "a.2.obj").read_bytes()
+
+
+def test_several_outputs_and_the_report_beside_each(here):
+    assert command("a.png", "-o", "x/b.obj", "-o", "b.stl", "-o", "b.ply", "--json") == 0
+    assert files("x") == ["b.json", "b.obj"]
+    assert files() == ["b.json", "b.ply", "b.stl", "x"]
+
+
+@pytest.mark.parametrize("out", ["new/", "new", "there"])
+def test_a_folder_as_output(here, out):
+    (here / "there").mkdir()
+    assert command("a.png", "-o", out, "--format", "stl,off") == 0
+    assert files(out) == ["a.off", "a.stl"]
+
+
+def test_nothing_found(here, capsys):
+    assert command("blank.png", "-o", "b.obj", "--json") == 5
+    assert capsys.readouterr().err.startswith("blank.png: the picture is blank. Try: ")
+    assert files() == ["b.json"]
+    assert json.loads((here / "b.json").read_text())["status"] == "failed"
+
+
+def test_the_report_of_a_single_picture_tells_the_time(here):
+    command("a.png", "-o", "a.json")
+    assert "read" in json.loads((here / "a.json").read_text())["timings_ms"]
+
+
+class _Standard:
+    """A standard stream over bytes."""
+
+    def __init__(self, data=b""):
+        self.buffer = io.BytesIO(data)
+
+
+def test_standard_input_and_output(here, monkeypatch):
+    out = _Standard()
+    monkeypatch.setattr(sys, "stdin", _Standard((here / "a.png").read_bytes()))
+    monkeypatch.setattr(sys, "stdout", out)
+    assert command("-") == 0
+    assert out.buffer.getvalue().count(b"\nv ") == 8
+    assert files() == []
+
+
+def test_the_report_on_standard_output(here, monkeypatch):
+    out = _Standard()
+    monkeypatch.setattr(sys, "stdout", out)
+    assert command("blank.png", "-o", "-", "--format", "json") == 5
+    assert json.loads(out.buffer.getvalue())["message"] == "the picture is blank"
+
+
+def test_contradictions(here):
+    for wrong in (["--json", "-o", "-"], ["-o", "a.obj", "--format", "stl"], ["-o", "-", "--pages", "all"]):
+        with pytest.raises(UsageError):
+            command("a.png", *wrong)
+
+
+def test_dry_run_writes_nothing(here, capsys):
+    assert command("a.png", "-o", "b.obj", "--dry-run") == 0
+    assert capsys.readouterr().out == "a.png\tb.obj\n"
+    assert files() == []
+
+
+def test_limits_on_a_single_picture(here, capsys):
+    for name, seconds in (("hang", "1"), ("hog", "60")):
+        os.rename("a.png", f"{name}.png")
+        assert command(f"{name}.png", "-o", "b.obj", "--timeout", seconds, "--max-memory", "300M") == 6
+        os.rename(f"{name}.png", "a.png")
+    assert command("a.png", "-o", "b.obj", "--timeout", "60") == 0
+    printed = capsys.readouterr().err
+    assert "not done after 1 s" in printed
+    assert "not enough memory" in printed
+
+
+def test_methods_are_handed_on_only_if_they_are_asked_for():
+    assert stage_options(parse(["a.png"])) == {}
+    asked = stage_options(parse(["a.png", "--connector", "tour", "--detector", "harris"]))
+    assert asked == {"connector": "tour", "detector": "harris"}

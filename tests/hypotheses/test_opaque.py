@@ -1,0 +1,68 @@
+"""The separator for drawings without solid hidden edges."""
+
+import numpy as np
+import pytest
+from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
+
+from sketch2shape.hypotheses.opaque import caps
+from sketch2shape.hypotheses.regions import Region, enclosed_regions
+from sketch2shape.search.tolerances import Round, corner_graph, vertex_candidates
+from sketch2shape.strokes.junctions import join_ends
+from sketch2shape.strokes.skeleton import thin
+from sketch2shape.strokes.tracing import trace_skeleton
+
+
+def graph_of(ink):
+    skeleton = thin(ink)
+    strokes = trace_skeleton(skeleton, 1.5)
+    points = vertex_candidates(strokes, join_ends(strokes, ink.pen_width), Round(1.5, 2.0), ink.pen_width)
+    return corner_graph(skeleton, points, 2.0)
+
+
+def hypotheses(picture):
+    ink = ink_of(picture)
+    graph = graph_of(ink)
+    return list(caps(graph, enclosed_regions(ink.mask, ink.pen_width, 1.5), ink.pen_width))
+
+
+def near(a, b, within):
+    if len(a) != len(b):
+        return False
+    gap = np.linalg.norm(a[:, None] - b[None], axis=2)
+    return max(gap.min(axis=0).max(), gap.min(axis=1).max()) <= within
+
+
+@pytest.mark.parametrize("lines", ["removed", "dashed"])
+@pytest.mark.parametrize("f1", [SQUARE, HEXAGON], ids=["box", "hexagon"])
+def test_the_visible_cap_and_the_face_behind_it_are_proposed(f1, lines):
+    found = hypotheses(prism(f1, f1 + DEPTH, lines))
+    assert any(near(r.front[0], f1, 4) and near(r.back[0], f1 + DEPTH, 8) for r in found)
+    assert all(len(r.front) == len(r.back) for r in found)
+
+
+def test_a_tapered_back_face_is_completed_at_its_own_size():
+    f2 = shrunk(SQUARE, 0.6, np.array([460.0, 60]))
+    found = hypotheses(prism(SQUARE, f2, "removed"))
+    assert any(near(r.front[0], SQUARE, 4) and near(r.back[0], f2, 8) for r in found)
+
+
+def test_a_hole_in_the_cap_comes_with_its_back():
+    hole = SQUARE.mean(axis=0) + 0.4 * (SQUARE - SQUARE.mean(axis=0))
+    picture = prism(SQUARE, SQUARE + DEPTH, "removed")
+    outline(hole, picture=picture)
+    holed = [r for r in hypotheses(picture) if len(r.front) == 2]
+    assert any(near(r.front[1], hole, 4) and near(r.back[1], hole + DEPTH, 8) for r in holed)
+
+
+def test_rungs_leave_the_cap_so_a_lone_polygon_gives_nothing():
+    picture = outline(L_SHAPE)
+    assert hypotheses(picture) == []
+
+
+def test_a_speck_on_a_corner_is_no_hole():
+    ink = ink_of(prism(SQUARE, SQUARE + DEPTH, "removed"))
+    graph = graph_of(ink)
+    speck = Region(SQUARE, (SQUARE[0] + [[1.0, 0], [1, 1], [0, 1]],))
+    found = list(caps(graph, [speck], ink.pen_width))
+    assert found
+    assert all(len(ring) >= 3 for r in found for ring in r.front)

@@ -1,0 +1,107 @@
+"""The separator for drawings with all edges drawn, on graphs that are known exactly."""
+
+import numpy as np
+import pytest
+from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, shrunk
+
+from sketch2shape.geometry import homology
+from sketch2shape.hypotheses.hypothesis import Rings
+from sketch2shape.hypotheses.wireframe import CornerGraph, cycles, ladders, ring_pair, with_holes
+from sketch2shape.model.drawing import ring_edges
+
+
+def graph_of(*pairs, extra=()):
+    """The corners and inked edges of the objects with these faces, in a mixed order."""
+    points, edges, start = [], [], 0
+    for f1, f2 in pairs:
+        points += [f1, f2]
+        edges += (ring_edges([len(f1)]) + start).tolist()
+        start += 2 * len(f1)
+    points = np.concatenate(points)
+    mixed = np.random.default_rng(1).permutation(len(points))
+    inked = np.zeros((len(points), len(points)), bool)
+    for i, j in [*edges, *extra]:
+        inked[mixed[i], mixed[j]] = inked[mixed[j], mixed[i]] = True
+    shuffled = np.empty_like(points)
+    shuffled[mixed] = points
+    return CornerGraph(shuffled, inked, 5.0)
+
+
+def readings(graph):
+    """Every pair of faces that the separator finds, as two sets of points."""
+    found = set()
+    for ladder in ladders(graph):
+        for cycle in cycles(ladder, iter(range(4000))):
+            rings = ring_pair(ladder, graph, cycle)
+            found.add(frozenset(frozenset(map(tuple, r.round().tolist())) for r in (rings.front[0], rings.back[0])))
+    return found
+
+
+def faces(f1, f2):
+    return frozenset(frozenset(map(tuple, np.round(r).tolist())) for r in (f1, f2))
+
+
+BACKS = {
+    "oblique": lambda ring: ring + DEPTH,
+    "frustum": lambda ring: shrunk(ring, 0.6, np.array([420.0, 20])),
+    "perspective": lambda ring: homology.apply(
+        np.eye(3) + np.outer([700.0, -250, 1], [-2e-4, 3e-4, 0.25]), ring
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("back", BACKS)
+@pytest.mark.parametrize("f1", [SQUARE, L_SHAPE, HEXAGON], ids=["box", "L", "hexagon"])
+def test_the_faces_are_among_the_readings_whatever_the_projection(f1, back):
+    f2 = BACKS[back](f1)
+    assert faces(f1, f2) in readings(graph_of((f1, f2)))
+
+
+def test_a_box_has_three_readings_and_an_l_one():
+    assert len(readings(graph_of((SQUARE, SQUARE + DEPTH)))) == 3
+    assert len([r for r in readings(graph_of((L_SHAPE, L_SHAPE + DEPTH))) if len(next(iter(r))) == 6]) == 1
+
+
+def test_rungs_obey_the_ladders_map():
+    graph = graph_of((L_SHAPE, L_SHAPE + DEPTH))
+    richest = max(ladders(graph), key=lambda x: len(x.rungs))
+    a, b = graph.points[richest.rungs.T]
+    assert np.linalg.norm(homology.apply(richest.map, a) - b, axis=1).max() <= graph.tolerance
+    assert (richest.links == richest.links.T).all()
+    assert (richest.links.sum(axis=1) >= 2).all()
+
+
+def test_a_corner_may_serve_in_both_faces():
+    # the true isometric cube: the nearest corner of one face hides the farthest of the other
+    turn = np.arange(6) * np.pi / 3
+    ring = np.array([240.0, 200]) + 120 * np.c_[np.sin(turn), -np.cos(turn)]
+    middle = np.array([240.0, 200])
+    points = np.r_[ring, [middle]]
+    inked = np.zeros((7, 7), bool)
+    for k in range(6):
+        inked[k, (k + 1) % 6] = inked[(k + 1) % 6, k] = inked[k, 6] = inked[6, k] = True
+    front = np.array([ring[5], middle, ring[3], ring[4]])
+    back = np.array([ring[0], ring[1], ring[2], middle])
+    assert faces(front, back) in readings(CornerGraph(points, inked, 5.0))
+
+
+def test_no_ladder_without_a_second_face():
+    edges = [(k, (k + 1) % 6) for k in range(6)]
+    inked = np.zeros((6, 6), bool)
+    for i, j in edges:
+        inked[i, j] = inked[j, i] = True
+    assert list(ladders(CornerGraph(L_SHAPE, inked, 5.0))) == []
+    assert list(ladders(CornerGraph(np.zeros((0, 2)), np.zeros((0, 0), bool), 5.0))) == []
+
+
+def test_what_lies_inside_both_rings_becomes_a_hole():
+    outer = Rings((SQUARE,), (SQUARE + DEPTH,))
+    hole = SQUARE.mean(axis=0) + 0.4 * (SQUARE - SQUARE.mean(axis=0))
+    inner, beside = Rings((hole,), (hole + DEPTH,)), Rings((hole + [160, 0],), (hole + [160, 0] + DEPTH,))
+    both = with_holes(outer, [beside, inner])
+    assert [len(r) for r in both.front] == [4, 4]
+    assert np.array_equal(both.back[1], hole + DEPTH)
+    assert with_holes(outer, [beside]) is None
+    # a hole within a hole is none
+    smaller = SQUARE.mean(axis=0) + 0.2 * (SQUARE - SQUARE.mean(axis=0))
+    assert len(with_holes(outer, [Rings((smaller,), (smaller + DEPTH,)), inner]).front) == 2

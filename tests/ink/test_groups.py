@@ -1,0 +1,54 @@
+"""Which ink belongs together."""
+
+import cv2
+import numpy as np
+from sketches import DEPTH, SQUARE, ink_of, outline, paper, prism
+
+from sketch2shape.ink.groups import split_groups
+
+
+def boxes(groups):
+    """Where each group's ink lies on the sheet: x0, y0, x1, y1."""
+    found = []
+    for g in groups:
+        ys, xs = np.nonzero(g.ink.mask)
+        found.append([*(np.array([xs.min(), ys.min()]) + g.offset), *(np.array([xs.max(), ys.max()]) + g.offset)])
+    return np.array(found)
+
+
+def test_two_objects_on_a_sheet_are_two_groups_the_larger_first():
+    picture = paper(400, 900)
+    small = SQUARE * 0.6 + [480, 60]
+    prism(SQUARE, SQUARE + DEPTH, picture=picture)
+    prism(small, small + DEPTH * 0.6, picture=picture)
+    groups = split_groups(ink_of(picture))
+    assert len(groups) == 2
+    large = np.r_[SQUARE, SQUARE + DEPTH]
+    assert np.abs(boxes(groups)[0] - [*large.min(axis=0), *large.max(axis=0)]).max() < 4
+
+
+def test_a_hole_belongs_to_the_object_around_it():
+    picture = prism(SQUARE, SQUARE + DEPTH, "removed")
+    hole = SQUARE.mean(axis=0) + 0.3 * (SQUARE - SQUARE.mean(axis=0))
+    outline(hole, picture=picture)
+    assert len(split_groups(ink_of(picture))) == 1
+
+
+def test_dashes_belong_to_their_object_but_are_not_solid():
+    groups = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH, "dashed")))
+    assert len(groups) == 1
+    group = groups[0]
+    x, y = np.rint((SQUARE[3] + SQUARE[2]) / 2 - group.offset).astype(int)
+    assert group.solid[y - 2 : y + 3, x - 2 : x + 3].any()
+    dashes = group.ink.mask & ~group.solid
+    assert dashes.sum() > 50
+
+
+def test_a_lone_letter_beside_an_object_is_no_group():
+    picture = prism(SQUARE, SQUARE + DEPTH)
+    cv2.putText(picture, "b", (420, 380), cv2.FONT_HERSHEY_SIMPLEX, 0.7, 0, 2, cv2.LINE_AA)
+    assert len(split_groups(ink_of(picture))) == 1
+
+
+def test_blank_paper_has_no_groups():
+    assert split_groups(ink_of(paper())) == []

@@ -1,0 +1,69 @@
+import numpy as np
+import pytest
+
+from sketch2shape.lifting.reading import read_parallel, refined_pose
+from sketch2shape.lifting.regularity import find_relations
+
+ELL = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3.0]]) * 60
+ARROW = 2 * np.array([[0, 30], [60, 30], [60, 0], [110, 50], [60, 100], [60, 70], [0, 70.0]])
+HEPTAGON = 90 * np.array([[np.cos(t), np.sin(t)] for t in np.deg2rad([4, 61, 97, 160, 205, 262, 331])])
+
+
+def seen(face, azimuth, elevation, depth=100.0, astray=0.0):
+    """The face of a standing prism as drawn, d drawn astray by an angle in radians, and the face's slant in degrees."""
+    a, e = np.deg2rad([azimuth, elevation])
+    yaw = np.array([[np.cos(a), 0, np.sin(a)], [0, 1, 0], [-np.sin(a), 0, np.cos(a)]])
+    pitch = np.array([[1, 0, 0], [0, np.cos(e), np.sin(e)], [0, -np.sin(e), np.cos(e)]])
+    view = (yaw.T @ pitch.T)[:, :2]
+    turn = np.array([[np.cos(astray), np.sin(astray)], [-np.sin(astray), np.cos(astray)]])
+    return face @ view[:2], depth * view[2] @ turn, float(np.rad2deg(np.arccos(np.cos(a) * np.cos(e))))
+
+
+def read(face, d, noise=0.3):
+    return read_parallel(face, d, find_relations(face, [len(face)], face, noise), noise)
+
+
+@pytest.mark.parametrize(("azimuth", "elevation"), [(25.0, 20.0), (-45.0, 35.264), (60.0, 15.0), (72.0, 35.0)])
+def test_right_angles_tell_the_slant(azimuth, elevation):
+    face, d, slant = seen(ELL, azimuth, elevation)
+    reading = read(face, d)
+    assert reading.axonometric > reading.oblique
+    assert np.rad2deg(refined_pose(reading).slant) == pytest.approx(slant, abs=0.05)
+
+
+def test_a_level_face_in_true_shape_is_oblique():
+    reading = read(ELL, np.array([60.0, -60.0]))
+    assert reading.oblique > reading.axonometric + 3.0
+
+
+def test_a_short_d_drawn_astray_is_turned_back():
+    """Seen nearly from its edge, the face would be sheared out of shape by a d drawn a degree off."""
+    astray = np.deg2rad(0.8)
+    face, d, slant = seen(ARROW, 78.0, 20.0, 25.0, astray)
+    pose = refined_pose(read(face, d, noise=0.6))
+    assert np.rad2deg(pose.slant) == pytest.approx(slant, abs=0.5)
+    assert -1.2 * astray < pose.turn < -0.6 * astray
+    straight = seen(ARROW, 78.0, 20.0, 25.0)[1]
+    assert np.linalg.norm(pose.turned(d) - straight) < 0.4 * np.linalg.norm(d - straight)
+
+
+def test_edges_crowded_across_d_show_a_face_without_right_angles_aslant():
+    found = [np.rad2deg(refined_pose(read(*seen(HEPTAGON, *view)[:2])).slant) for view in ((20.0, 15.0), (65.0, 15.0))]
+    assert found[0] + 10.0 < found[1]
+
+
+def test_edges_along_an_upright_d_are_not_oblique_however_it_is_shaken():
+    for aside in (0.0, 0.5, 1.0):
+        reading = read(ELL, np.array([aside, -27.0]), noise=1.0)
+        straight = read(ELL, np.array([19.0, -19.0]), noise=1.0)
+        assert reading.oblique < straight.oblique - 4.0
+
+
+def test_receding_edges_at_a_usual_angle_speak_for_an_oblique_drawing():
+    triangle = np.array([[0, 0], [140, 22], [60, -90.0]])
+    odds = []
+    for degrees in (45.0, 38.0):
+        a = np.deg2rad(degrees)
+        reading = read(triangle, 80 * np.array([np.cos(a), -np.sin(a)]))
+        odds.append(reading.oblique - reading.axonometric)
+    assert odds[0] > odds[1] + 1.0

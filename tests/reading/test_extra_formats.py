@@ -1,0 +1,116 @@
+"""HEIC, PDF and SVG, where the extra is installed; and what is said where it is not."""
+
+from __future__ import annotations
+
+import io
+import sys
+from itertools import pairwise
+
+import pytest
+from PIL import Image, ImageDraw
+
+from sketch2shape.errors import LimitError, MissingPackageError, UnreadableError
+from sketch2shape.reading.limits import Limits
+from sketch2shape.reading.read import count_pages, read_picture, sniff
+
+SVG = b'<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="20mm" viewBox="0 0 300 200">%s</svg>'
+LINE = b'<path d="M0 100 H300" stroke="black" stroke-width="20"/>'
+
+
+def page(width=60, height=40):
+    image = Image.new("RGB", (width, height), "white")
+    ImageDraw.Draw(image).rectangle((0, 0, width // 2, height // 2), fill="black")
+    return image
+
+
+def pdf(*pages):
+    out = io.BytesIO()
+    pages[0].save(out, "PDF", save_all=True, append_images=pages[1:], resolution=72)
+    return out.getvalue()
+
+
+def test_a_missing_package_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "resvg_py", None)
+    with pytest.raises(MissingPackageError, match="resvg_py") as caught:
+        read_picture(SVG % LINE)
+    assert "sketch2shape[formats]" in caught.value.advice
+
+
+def test_svg_is_drawn_on_white_in_its_proportions():
+    pytest.importorskip("resvg_py")
+    pixels = read_picture(SVG % LINE).pixels
+    assert pixels.shape[1] / pixels.shape[0] == pytest.approx(1.5, abs=0.02)
+    assert 1900 < pixels.shape[1] <= 2000
+    assert pixels[666, 1000].max() == 0
+    assert pixels[100, 100].min() == 255
+
+
+def test_svg_reads_no_other_file(tmp_path):
+    pytest.importorskip("resvg_py")
+    secret = tmp_path / "secret.png"
+    Image.new("RGB", (10, 10), "black").save(secret)
+    for quote in ("'", '"'):
+        image = f"<image width='300' height='200' href={quote}{secret}{quote}/>"
+        assert read_picture(SVG % image.encode()).pixels.min() == 255
+
+
+@pytest.mark.parametrize(
+    "svg",
+    [
+        b"<svg",
+        b"<svg><g></svg>",
+        SVG.replace(b"30mm", b"1e30"),
+        b"<svg xmlns='http://www.w3.org/2000/svg' width='1' height='900000'/>",
+        b"<svg xmlns='http://www.w3.org/2000/svg' width='0' height='0'/>",
+        b"\x1f\x8b not gzip <svg",
+    ],
+)
+def test_damaged_svg(svg):
+    pytest.importorskip("resvg_py")
+    with pytest.raises(UnreadableError):
+        read_picture(svg)
+
+
+def test_entities_do_not_explode():
+    pytest.importorskip("resvg_py")
+    names = "abcdefghij"
+    entities = "".join(f'<!ENTITY {b} "{f"&{a};" * 10}">' for a, b in pairwise(names))
+    text = f'<!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa">{entities}]>' + (SVG % b"<text>&j;</text>").decode()
+    with pytest.raises(UnreadableError):
+        read_picture(text.encode())
+
+
+def test_pages_of_a_pdf():
+    pytest.importorskip("pypdfium2")
+    data = pdf(page(), page(100, 30))
+    assert sniff(data) == "PDF"
+    assert count_pages(data) == 2
+    first, second = read_picture(data).pixels, read_picture(data, page=1).pixels
+    assert first.shape[1] / first.shape[0] == pytest.approx(1.5, abs=0.02)
+    assert second.shape[1] / second.shape[0] == pytest.approx(100 / 30, abs=0.1)
+    assert first[5, 5].max() < 40
+    assert first[-5, -5].min() > 220
+    with pytest.raises(UnreadableError, match="2 pages"):
+        read_picture(data, page=2)
+    with pytest.raises(UnreadableError):
+        read_picture(data[:200])
+
+
+def test_a_large_pdf_page_is_drawn_smaller():
+    pytest.importorskip("pypdfium2")
+    assert read_picture(pdf(page(3000, 2000)), Limits(max_pixels=100_000)).pixels.size <= 3 * 101_000
+
+
+def test_heic():
+    heif = pytest.importorskip("pillow_heif")
+    out = io.BytesIO()
+    heif.from_pillow(page(64, 48)).save(out)
+    data = out.getvalue()
+    assert sniff(data) == "HEIF"
+    pixels = read_picture(data).pixels
+    assert pixels.shape == (48, 64, 3)
+    assert pixels[5, 5].max() < 40
+    with pytest.raises(LimitError):
+        read_picture(data, Limits(max_pixels=1000))
+    with pytest.raises(UnreadableError):
+        read_picture(data[: len(data) // 2])

@@ -1,0 +1,119 @@
+"""From the ink to the best verified hypothesis, drawing by drawing."""
+
+import numpy as np
+import pytest
+from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
+
+from sketch2shape.geometry.homology import apply
+from sketch2shape.search.search import find_all
+from sketch2shape.search.stage import as_object
+
+TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
+TWO_POINT = apply(np.eye(3) + np.outer([900.0, -200, 1], [-2e-4, 2e-4, 0.12]), SQUARE)
+PLUS = np.array(
+    [[2, 1], [3, 1], [3, 2], [4, 2], [4, 3], [3, 3], [3, 4], [2, 4], [2, 3], [1, 3], [1, 2], [2, 2.0]]
+) * 60 + [40, 60]  # fmt: skip
+COMB = np.array(
+    [[0, 0], [1, 0], [1, 2], [2, 2], [2, 0], [3, 0], [3, 2], [4, 2], [4, 0], [5, 0], [5, 3], [0, 3.0]]
+) * 55 + [60, 150]  # fmt: skip
+
+
+def found_in(picture):
+    ink = ink_of(picture)
+    return [as_object(f.rings, f.evidence, ink) for f in find_all(ink)]
+
+
+@pytest.mark.parametrize(
+    ("f1", "f2"),
+    [
+        (SQUARE, SQUARE + DEPTH),
+        (L_SHAPE, L_SHAPE + DEPTH),
+        (HEXAGON, HEXAGON + [110, -20]),
+        (SQUARE[:3], SQUARE[:3] + DEPTH),
+        (SQUARE, TAPERED),
+        (SQUARE, TWO_POINT),
+        (PLUS, PLUS + [45, -28]),
+        (COMB, COMB + [70, -45]),
+    ],
+    ids=["box", "L", "hexagon", "wedge", "frustum", "perspective", "plus", "comb"],
+)
+def test_wireframes(f1, f2):
+    found = found_in(prism(f1, f2))
+    assert len(found) == 1
+    assert found[0].confidence > 0.95
+    assert found[0].lines == "wire"
+    assert same_object(found[0], f1, f2)
+
+
+@pytest.mark.parametrize("lines", ["dashed", "removed"])
+@pytest.mark.parametrize(
+    ("f1", "f2"),
+    [(SQUARE, SQUARE + DEPTH), (HEXAGON, HEXAGON + [110, -20]), (SQUARE, TAPERED)],
+    ids=["box", "hexagon", "frustum"],
+)
+def test_hidden_edges_dashed_or_left_out(f1, f2, lines):
+    found = found_in(prism(f1, f2, lines))
+    assert len(found) == 1
+    assert found[0].confidence > 0.9
+    assert same_object(found[0], f1, f2, 3.0)
+    if lines == "removed":
+        assert not found[0].f2_drawn.all()
+
+
+def test_a_vertex_on_another_edge_and_edges_along_each_other():
+    # the back's lower left corner lies on the front's top edge, and its left side runs on from a connecting edge
+    lower = SQUARE + [0, 60]
+    on_edge = lower + [75, -150]
+    assert same_object(found_in(prism(lower, on_edge))[0], lower, on_edge)
+    upright = L_SHAPE + [0, -50]
+    upright[:, 0] += 40
+    assert same_object(found_in(prism(L_SHAPE, upright))[0], L_SHAPE, upright)
+
+
+def test_a_true_isometric_cube_has_two_vertices_in_one_place():
+    turn = np.arange(6) * np.pi / 3
+    ring = np.array([240.0, 200]) + 130 * np.c_[np.sin(turn), -np.cos(turn)]
+    middle = np.array([240.0, 200])
+    f1, f2 = np.array([ring[5], middle, ring[3], ring[4]]), np.array([ring[0], ring[1], ring[2], middle])
+    found = found_in(prism(f1, f2))
+    assert len(found) == 1
+    assert same_object(found[0], f1, f2)
+
+
+def test_a_plate_with_a_hole():
+    hole = SQUARE.mean(axis=0) + 0.4 * (SQUARE - SQUARE.mean(axis=0))
+    picture = prism(hole, hole + DEPTH, picture=prism(SQUARE, SQUARE + DEPTH))
+    found = found_in(picture)
+    assert len(found) == 1
+    assert len(found[0].holes) == 1
+    pairs = [(found[0].f1, SQUARE), (found[0].holes[0].f1, hole)]
+    for ring, true in pairs:
+        gap = np.linalg.norm(ring[:, None] - np.r_[true, true + DEPTH][None], axis=2)
+        assert gap.min(axis=1).max() < 2
+
+
+def test_two_objects_on_a_sheet():
+    picture = paper(420, 960)
+    other = HEXAGON + [450, 30]
+    prism(SQUARE, SQUARE + DEPTH, picture=picture)
+    prism(other, other + [80, -40], picture=picture)
+    found = sorted(found_in(picture), key=lambda o: o.f1[:, 0].mean())
+    assert len(found) == 2
+    assert same_object(found[0], SQUARE, SQUARE + DEPTH)
+    assert same_object(found[1], other, other + [80, -40])
+
+
+def test_the_pen_and_the_size_of_the_drawing_do_not_matter():
+    for factor, width in ((0.35, 1), (1.0, 6), (2.4, 5)):
+        f1, f2 = SQUARE * factor, (SQUARE + DEPTH) * factor
+        picture = prism(f1, f2, width=width, picture=paper(int(400 * factor) + 20, int(480 * factor) + 20))
+        assert same_object(found_in(picture)[0], f1, f2, 1.5 + 0.3 * width)
+
+
+@pytest.mark.parametrize(
+    "picture",
+    [paper(), outline(L_SHAPE), outline(HEXAGON - [80, 0], picture=outline(SQUARE[:3] + [170, 60]))],
+    ids=["blank", "a lone polygon", "two unrelated polygons"],
+)
+def test_what_is_no_object_gets_no_confidence(picture):
+    assert all(o.confidence < 0.5 for o in found_in(picture))

@@ -1,0 +1,136 @@
+"""Writing: whole or not at all, never over another file."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from sketch2shape.errors import WriteError
+from sketch2shape.writing import files as write
+from sketch2shape.writing.files import FolderLock, sweep, write_file, write_stdout
+
+
+def test_folders_are_made_and_bytes_written(tmp_path):
+    write_file(tmp_path / "a" / "b" / "c.obj", b"hello")
+    assert (tmp_path / "a" / "b" / "c.obj").read_bytes() == b"hello"
+    assert os.listdir(tmp_path / "a" / "b") == ["c.obj"]
+
+
+def test_nothing_is_overwritten_unless_asked(tmp_path):
+    path = tmp_path / "a.obj"
+    write_file(path, b"1")
+    with pytest.raises(WriteError, match="exists already"):
+        write_file(path, b"2")
+    assert path.read_bytes() == b"1"
+    write_file(path, b"3", overwrite=True)
+    assert path.read_bytes() == b"3"
+    assert os.listdir(tmp_path) == ["a.obj"]
+
+
+def test_a_link_that_leads_nowhere_is_not_written_through(tmp_path):
+    (tmp_path / "a.obj").symlink_to("elsewhere")
+    with pytest.raises(WriteError, match="exists already"):
+        write_file(tmp_path / "a.obj", b"1")
+    assert not (tmp_path / "elsewhere").exists()
+
+
+def test_without_hard_links_nothing_is_overwritten_either(tmp_path, monkeypatch):
+    def no_links(*_):
+        raise PermissionError(errno.EPERM, "no links here")
+
+    monkeypatch.setattr(os, "link", no_links)
+    write_file(tmp_path / "a", b"1")
+    with pytest.raises(WriteError, match="exists already"):
+        write_file(tmp_path / "a", b"2")
+    assert (tmp_path / "a").read_bytes() == b"1"
+
+
+@pytest.mark.parametrize("step", ["fsync", "link"])
+def test_a_full_disk_leaves_nothing_behind(tmp_path, monkeypatch, step):
+    def full(*_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, step, full)
+    if step == "link":
+        monkeypatch.setattr(os, "replace", full)
+    with pytest.raises(WriteError, match="No space left"):
+        write_file(tmp_path / "a", b"1")
+    assert os.listdir(tmp_path) == []
+
+
+def test_impossible_targets(tmp_path):
+    (tmp_path / "file").write_text("")
+    for target in (tmp_path / "file" / "a.obj", tmp_path / ("x" * 300), "a\0b", "/proc/a.obj"):
+        with pytest.raises(WriteError, match="cannot"):
+            write_file(target, b"1")
+
+
+def test_permissions_follow_the_umask(tmp_path):
+    before = os.umask(0o027)
+    try:
+        write_file(tmp_path / "a", b"1")
+    finally:
+        os.umask(before)
+    assert (tmp_path / "a").stat().st_mode & 0o777 == 0o640
+
+
+_HOLD = """
+import sys, time, tempfile
+from sketch2shape.writing.files import _lock
+f = tempfile.NamedTemporaryFile(dir=sys.argv[1], prefix=".sketch2shape-", suffix=".tmp", delete=False)
+_lock(f.fileno())
+print("ready", flush=True)
+time.sleep(60)
+"""
+
+
+def test_sweep_removes_what_a_killed_process_left_and_nothing_in_use(tmp_path):
+    (tmp_path / "mine.tmp").write_text("not ours")
+    with subprocess.Popen([sys.executable, "-c", _HOLD, str(tmp_path)], stdout=subprocess.PIPE) as process:
+        process.stdout.readline()
+        assert sweep(tmp_path) == 0
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+    assert sweep(tmp_path) == 1
+    assert os.listdir(tmp_path) == ["mine.tmp"]
+    assert sweep(tmp_path / "missing") == 0
+
+
+def test_a_second_run_is_kept_out_of_a_folder(tmp_path):
+    with FolderLock(tmp_path), pytest.raises(WriteError, match="another run"), FolderLock(tmp_path):
+        pass
+    with FolderLock(tmp_path):
+        pass
+
+
+class _Pipe(io.RawIOBase):
+    def __init__(self, error):
+        self.error = error
+
+    def writable(self):
+        return True
+
+    def write(self, _):
+        raise self.error
+
+
+def test_a_reader_that_went_away_is_no_error():
+    write_stdout(b"x", _Pipe(BrokenPipeError()))
+
+
+def test_a_full_device_behind_stdout_is():
+    with pytest.raises(WriteError, match="No space"):
+        write_stdout(b"x", _Pipe(OSError(errno.ENOSPC, "No space left on device")))
+
+
+def test_without_a_lock_module_files_are_written_all_the_same(tmp_path, monkeypatch):
+    monkeypatch.setattr(write, "fcntl", None)
+    with FolderLock(tmp_path):
+        write_file(tmp_path / "a", b"1")
+    assert (tmp_path / "a").read_bytes() == b"1"
