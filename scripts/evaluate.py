@@ -202,14 +202,14 @@ def overlap(truth: Case, answer: Case, match: Any) -> Case:
     from scipy.spatial import cKDTree
 
     from sketch2shape.export import to_trimesh
-    from sketch2shape.model.solid import Projection, Solid
+    from sketch2shape.model import Projection, Solid, two_face_boundary
 
     want = metrics.true_solid(truth)
     if want is None or truth.get("holes") or metrics.family(truth) == "oblique":
         return {}
     got = metrics.aligned(metrics.outer_vertices(truth, answer, match), want)
     sizes, projection = (len(truth["f1"]),), Projection("axonometric")
-    meshes = [to_trimesh([Solid(v, sizes, projection)]) for v in (want, got)]
+    meshes = [to_trimesh([Solid(two_face_boundary(v, sizes), projection)]) for v in (want, got)]
     common = trimesh.boolean.intersection(meshes, engine="manifold").volume
     clouds = [trimesh.sample.sample_surface(m, 2000, seed=0)[0] for m in meshes]
     apart = [cKDTree(a).query(b)[0].mean() for a, b in (clouds, clouds[::-1])]

@@ -12,8 +12,8 @@ import numpy as np
 from sketch2shape.batch.many import _reconstruct as many_reconstruct
 from sketch2shape.conversion.convert import convert
 from sketch2shape.errors import NoObjectError, UnreadableError
+from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import TwoFaceObject
-from sketch2shape.model.solid import Projection, Solid
 from sketch2shape.pipeline.result import Result
 from sketch2shape.reading.read import read_picture
 
@@ -26,7 +26,7 @@ def reconstruct(source, *, limits=None, **_):
     height, width = picture.pixels.shape[:2]
     f1 = np.array([[0.0, 0], [width, 0], [width, height], [0, height]])
     vertices = np.r_[np.c_[f1, np.zeros(4)], np.c_[f1, np.full(4, 9.0)]]
-    solid = Solid(vertices, (4,), Projection("oblique"))
+    solid = Solid(two_face_boundary(vertices, (4,)), Projection("oblique"))
     return Result((TwoFaceObject(f1, f1 + [5, -5], confidence=0.9),), (solid,), picture, {"ink": 1.0})
 
 

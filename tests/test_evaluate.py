@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from sketch2shape import errors
+from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
-from sketch2shape.model.solid import Projection, Solid
 from sketch2shape.pipeline.result import Result
 from sketch2shape.synthetic import metrics
 from sketch2shape.synthetic.drawing import draw
@@ -35,7 +35,7 @@ def result_for(truth, confidence=0.95, turn=0):
     """What a perfect tool would say; `turn` gives the back face a wrong order."""
     f2 = np.roll(truth["f2"], turn, 0)
     found = TwoFaceObject(np.array(truth["f1"]), np.array(f2), tuple(FacePair(**h) for h in truth["holes"]), confidence)
-    solid = Solid(metrics.true_solid(truth), (truth["n"],), Projection("axonometric"))
+    solid = Solid(two_face_boundary(metrics.true_solid(truth), (truth["n"],)), Projection("axonometric"))
     return Result((found,), (solid,), Picture(np.zeros((2, 2, 3), np.uint8)))
 
 

@@ -36,7 +36,7 @@ def drawing_lines(obj: TwoFaceObject, solid: Solid) -> list[Line]:
     """The object's edges as drawn lines, cut where they pass in or out of sight, in the order of `obj.edges`."""
     points, edges = obj.vertices, obj.edges
     near = _nearness(points, solid)
-    faces = [_FaceImage(points, near, rings) for rings in solid.faces]
+    faces = [_FaceImage(points, near, solid.rings(face)) for face in solid.faces]
     lines: list[Line] = []
     for number, (a, b) in enumerate(edges.tolist()):
         cuts = _cuts(points, edges, number)

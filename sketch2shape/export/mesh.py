@@ -19,7 +19,7 @@ def mesh_faces(solid: Solid) -> Ints:
 
     Both caps have the same triangles, so a prism's mesh is as regular as the prism; a side face is two triangles.
     """
-    front, _, *sides = solid.faces
+    front, _, *sides = [solid.rings(face) for face in solid.faces]
     half = sum(solid.ring_sizes)
     start = np.cumsum([0, *solid.ring_sizes])
     flat = cap_plane(solid)

@@ -30,9 +30,8 @@ def _polygons(solid: Solid, ngons: bool) -> list[list[int]]:
     triangles: list[list[int]] = mesh_faces(solid).tolist()
     if not ngons:
         return triangles
-    sides = [list(ring) for (ring,) in solid.faces[2:]]
-    if len(solid.ring_sizes) > 1:
-        caps = triangles[: len(triangles) - 2 * len(sides)]
-    else:
-        caps = [list(face[0]) for face in solid.faces[:2]]
+    front, back, *others = [solid.rings(face) for face in solid.faces]
+    sides = [list(ring) for (ring,) in others]
+    holed = len(front) > 1
+    caps = triangles[: len(triangles) - 2 * len(sides)] if holed else [list(front[0]), list(back[0])]
     return caps + sides

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sketch2shape.export.units import MILLIMETRES
-from sketch2shape.model import Floats, Solid
+from sketch2shape.model import Boundary, Curve, Face, Floats, Line, Plane, Solid, Surface
 
 _HEADER = """ISO-10303-21;
 HEADER;
@@ -70,36 +70,44 @@ def _real(text: str) -> str:
 
 def _body(w: _Writer, number: int, solid: Solid) -> str:
     """One solid: points, straight edges, plane faces, a closed shell."""
-    points = solid.vertices * MILLIMETRES[solid.unit]
+    shape = solid.boundary.scaled(MILLIMETRES[solid.unit])
+    points = shape.vertices
     vertices = [w.add(f"VERTEX_POINT('',{w.point(p)})") for p in points]
-    curves: dict[tuple[int, int], str] = {}
-    for a, b in solid.edges.tolist():
-        way = points[b] - points[a]
-        vector = w.add(f"VECTOR('',{w.direction(way)},1.)")
-        line = w.add(f"LINE('',{w.point(points[a])},{vector})")
-        curves[a, b] = w.add(f"EDGE_CURVE('',{vertices[a]},{vertices[b]},{line},.T.)")
-    faces = [_face(w, points, rings, curves) for rings in solid.faces]
+    edges = []
+    for edge in shape.edges:
+        curve = _curve(w, points[edge.start], points[edge.end], edge.curve)
+        edges.append(w.add(f"EDGE_CURVE('',{vertices[edge.start]},{vertices[edge.end]},{curve},.T.)"))
+    faces = [_face(w, shape, face, edges) for face in shape.faces]
     shell = w.add(f"CLOSED_SHELL('',({','.join(faces)}))")
     return w.add(f"MANIFOLD_SOLID_BREP('object {number}',{shell})")
 
 
-def _face(w: _Writer, points: Floats, rings: tuple[tuple[int, ...], ...], curves: dict[tuple[int, int], str]) -> str:
-    """A plane face with its outer bound and its holes, normal outward."""
+def _curve(w: _Writer, start: Floats, end: Floats, curve: Curve) -> str:
+    """The curve that an edge between two points lies on."""
+    match curve:
+        case Line():
+            vector = w.add(f"VECTOR('',{w.direction(end - start)},1.)")
+            return w.add(f"LINE('',{w.point(start)},{vector})")
+
+
+def _surface(w: _Writer, surface: Surface, side: Floats) -> str:
+    """The surface that a face lies on; side is a direction in it."""
+    match surface:
+        case Plane(origin, normal):
+            return w.add(f"PLANE('',{w.placement(origin, normal, side)})")
+
+
+def _face(w: _Writer, shape: Boundary, face: Face, edges: list[str]) -> str:
+    """A face with its outer bound and its holes, normal outward."""
     bounds: list[str] = []
-    for ring in rings:
-        oriented = []
-        for a, b in zip(ring, (*ring[1:], ring[0]), strict=True):
-            forward = (a, b) in curves
-            curve = curves[(a, b) if forward else (b, a)]
-            oriented.append(w.add(f"ORIENTED_EDGE('',*,*,{curve},.{'T' if forward else 'F'}.)"))
+    for ring in face.loops:
+        oriented = [w.add(f"ORIENTED_EDGE('',*,*,{edges[e]},.{'T' if forward else 'F'}.)") for e, forward in ring]
         loop = w.add(f"EDGE_LOOP('',({','.join(oriented)}))")
         kind = "FACE_BOUND" if bounds else "FACE_OUTER_BOUND"
         bounds.append(w.add(f"{kind}('',{loop},.T.)"))
-    outer = points[list(rings[0])]
-    p = outer - outer[0]
-    normal = np.cross(p, np.roll(p, -1, axis=0)).sum(axis=0)
-    plane = w.add(f"PLANE('',{w.placement(outer[0], normal, outer[1] - outer[0])})")
-    return w.add(f"ADVANCED_FACE('',({','.join(bounds)}),{plane},.T.)")
+    first, second, *_ = shape.rings(face)[0]
+    surface = _surface(w, face.surface, shape.vertices[second] - shape.vertices[first])
+    return w.add(f"ADVANCED_FACE('',({','.join(bounds)}),{surface},.T.)")
 
 
 def _context(w: _Writer) -> str:

@@ -19,7 +19,7 @@ from sketch2shape.lifting.projection import Drawing, converges, kind_of, prepare
 from sketch2shape.lifting.reading import ParallelReading, read_parallel, refined_pose
 from sketch2shape.lifting.regularity import find_relations
 from sketch2shape.lifting.shape import Shape
-from sketch2shape.model import Floats, Ints, Projection, Solid, TwoFaceObject
+from sketch2shape.model import Floats, Ints, Projection, Solid, TwoFaceObject, two_face_boundary
 
 #: a connecting vector shorter than this part of the object's size says nothing about the depth
 _FLAT = 0.01
@@ -72,7 +72,8 @@ def lift(
     if picture_size is not None:
         evidence["picture_size"] = [int(n) for n in picture_size]
     projection = Projection(shape.family, evidence)
-    return Solid(vertices, tuple(shape.sizes), projection, options.solid_unit, shape.warnings, axes)
+    boundary = two_face_boundary(vertices, shape.sizes)
+    return Solid(boundary, projection, options.solid_unit, shape.warnings, axes)
 
 
 def _read(drawing: Drawing, options: LiftOptions) -> Shape:

@@ -8,6 +8,20 @@ from __future__ import annotations
 
 from sketch2shape.model.answer import Answer
 from sketch2shape.model.arrays import Bools, Floats, Gray, Ints, as_gray
+from sketch2shape.model.boundary import (
+    Boundary,
+    Curve,
+    DirectedEdge,
+    Edge,
+    Face,
+    Line,
+    Loop,
+    Plane,
+    Ring,
+    Surface,
+    polyhedron,
+    two_face_boundary,
+)
 from sketch2shape.model.drawing import FacePair, Lines, TwoFaceObject, ring_edges
 from sketch2shape.model.picture import Ink, Picture, to_picture, to_working
 from sketch2shape.model.solid import Projection, Solid
@@ -15,18 +29,30 @@ from sketch2shape.model.solid import Projection, Solid
 __all__ = [
     "Answer",
     "Bools",
+    "Boundary",
+    "Curve",
+    "DirectedEdge",
+    "Edge",
+    "Face",
     "FacePair",
     "Floats",
     "Gray",
     "Ink",
     "Ints",
+    "Line",
     "Lines",
+    "Loop",
     "Picture",
+    "Plane",
     "Projection",
+    "Ring",
     "Solid",
+    "Surface",
     "TwoFaceObject",
     "as_gray",
+    "polyhedron",
     "ring_edges",
     "to_picture",
     "to_working",
+    "two_face_boundary",
 ]

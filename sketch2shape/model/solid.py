@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from sketch2shape.model.arrays import Floats, Ints
-from sketch2shape.model.drawing import ring_edges
+from sketch2shape.model.boundary import Boundary, Edge, Face, Ring
 
 
 @dataclass(frozen=True)
@@ -27,44 +27,57 @@ class Projection:
 class Solid:
     """The three-dimensional object.
 
-    vertices   : (2m, 3) float, same order as `TwoFaceObject.vertices`, in `unit`
-    ring_sizes : vertices of each ring of one face: the outer ring first, then the holes; m is their sum
+    boundary   : its vertices, edges and faces, in `unit`; of a two-face object see `two_face_boundary`
     projection : how it was projected, with evidence
     unit       : name of the unit of length
     warnings   : defaults that had to be assumed, in words
     axes       : (3, 3) rows: the object's own width, height and depth directions (unit vectors), None for x, y, z
     """
 
-    vertices: Floats
-    ring_sizes: tuple[int, ...]
+    boundary: Boundary
     projection: Projection
     unit: str = "px"
     warnings: tuple[str, ...] = ()
     axes: Floats | None = None
 
     @property
-    def edges(self) -> Ints:
-        """(3m, 2) indices into `vertices`; order as in `TwoFaceObject.edges`."""
-        return ring_edges(list(self.ring_sizes))
+    def vertices(self) -> Floats:
+        """(k, 3) float, in `unit`; of a two-face object (2m, 3) in the order of `TwoFaceObject.vertices`."""
+        return self.boundary.vertices
 
     @property
-    def faces(self) -> tuple[tuple[tuple[int, ...], ...], ...]:
-        """The m + 2 flat faces: front, back, then the sides; each the indices of its rings, the outer ring first.
+    def edges(self) -> tuple[Edge, ...]:
+        """All edges; of a two-face object in the order of `TwoFaceObject.edges`."""
+        return self.boundary.edges
 
-        Outer rings turn anticlockwise seen from outside (the right-hand rule's normal points out), holes the other way.
-        """
-        return solid_faces(self.vertices, self.ring_sizes)
+    @property
+    def edge_ends(self) -> Ints:
+        """(number of edges, 2) rows of `vertices`: start and end of each edge."""
+        return self.boundary.edge_ends
+
+    @property
+    def faces(self) -> tuple[Face, ...]:
+        """All faces, the principal ones first; of a two-face object front, back, then the sides."""
+        return self.boundary.faces
+
+    def rings(self, face: Face) -> tuple[Ring, ...]:
+        """The vertices of each loop of one of the faces, the outer loop first."""
+        return self.boundary.rings(face)
+
+    @property
+    def ring_sizes(self) -> tuple[int, ...]:
+        """Vertices of each ring of the front face: the outer ring first, then the holes."""
+        return tuple(len(loop) for loop in self.faces[0].loops)
 
     @property
     def area(self) -> float:
         """Surface area, `unit` squared."""
-        return float(sum(np.linalg.norm(_area_vector(self.vertices, face)) for face in self.faces))
+        return self.boundary.area
 
     @property
     def volume(self) -> float:
-        """Volume, `unit` cubed, by the divergence theorem."""
-        v = self.vertices - self.vertices.mean(axis=0)
-        return float(sum(v[face[0][0]] @ _area_vector(v, face) for face in self.faces)) / 3.0
+        """Volume, `unit` cubed."""
+        return self.boundary.volume
 
     @property
     def dimensions(self) -> tuple[float, float, float]:
@@ -72,27 +85,3 @@ class Solid:
         along = self.vertices if self.axes is None else self.vertices @ self.axes.T
         width, height, depth = (float(e) for e in np.ptp(along, axis=0))
         return width, height, depth
-
-
-def solid_faces(vertices: Floats, ring_sizes: tuple[int, ...]) -> tuple[tuple[tuple[int, ...], ...], ...]:
-    """Faces of a solid with these (2m, 3) vertices; see `Solid.faces`."""
-    half, start = sum(ring_sizes), 0
-    through = vertices[half:].mean(axis=0) - vertices[:half].mean(axis=0)
-    front: list[tuple[int, ...]] = []
-    for n in ring_sizes:
-        ring = tuple(range(start, start + n))
-        outward = float(_area_vector(vertices, (ring,)) @ through) < 0
-        front.append(ring if outward != bool(front) else ring[::-1])
-        start += n
-    back = tuple(tuple(i + half for i in ring[::-1]) for ring in front)
-    sides = (((ring[i - 1], ring[i - 1] + half, ring[i] + half, ring[i]),) for ring in front for i in range(len(ring)))
-    return (tuple(front), back, *sides)
-
-
-def _area_vector(vertices: Floats, rings: tuple[tuple[int, ...], ...]) -> Floats:
-    """(3,) normal of a flat face, as long as its area."""
-    total = np.zeros(3)
-    for ring in rings:
-        p = vertices[list(ring)] - vertices[ring[0]]
-        total += 0.5 * np.cross(p, np.roll(p, -1, axis=0)).sum(axis=0)
-    return total

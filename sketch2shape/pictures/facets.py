@@ -50,7 +50,7 @@ def surface(solids: Sequence[Solid], rotation: Floats | None = None) -> Surface:
     return Surface(
         np.concatenate([s.vertices for s in solids]) @ (np.eye(3) if rotation is None else rotation).T,
         np.concatenate([mesh_faces(s) + k for s, k in zip(solids, starts, strict=True)]),
-        np.concatenate([s.edges + k for s, k in zip(solids, starts, strict=True)]),
+        np.concatenate([s.edge_ends + k for s, k in zip(solids, starts, strict=True)]),
     )
 
 

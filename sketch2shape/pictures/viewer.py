@@ -33,12 +33,11 @@ def facts(result: Answer) -> list[tuple[str, str]]:
     """What to say about a result in words: (name, value) pairs, one group for each object."""
     rows: list[tuple[str, str]] = []
     for obj, solid in zip(result.objects, result.solids, strict=True):
-        half = sum(solid.ring_sizes)
         size = np.ptp(solid.vertices, axis=0)
         rows += [
-            ("Vertices", str(2 * half)),
-            ("Edges", str(3 * half)),
-            ("Faces", str(half + 2)),
+            ("Vertices", str(len(solid.vertices))),
+            ("Edges", str(len(solid.edges))),
+            ("Faces", str(len(solid.faces))),
             ("Size", " × ".join(f"{s:.4g}" for s in size) + f" {solid.unit}"),
             ("Projection", solid.projection.family),
             ("Confidence", f"{obj.confidence:.2f}"),

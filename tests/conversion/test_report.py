@@ -10,9 +10,9 @@ import pytest
 from sketch2shape import __version__
 from sketch2shape.conversion.report import encode_report, plain, report
 from sketch2shape.errors import NoObjectError
+from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
-from sketch2shape.model.solid import Projection, Solid
 from sketch2shape.pipeline.result import Result
 
 SQUARE = np.array([[0.0, 0], [9, 0], [9, 9], [0, 9]])
@@ -26,7 +26,12 @@ def answer():
     )
     flat = np.concatenate([SQUARE, HOLE])
     vertices = np.r_[np.c_[flat, np.zeros(8)], np.c_[flat, np.full(8, 5)]]
-    solid = Solid(vertices, (4, 4), Projection("oblique", {"angle": np.float64(30.0), "bad": np.nan}), "mm", ("guess",))
+    solid = Solid(
+        two_face_boundary(vertices, (4, 4)),
+        Projection("oblique", {"angle": np.float64(30.0), "bad": np.nan}),
+        "mm",
+        ("guess",),
+    )
     picture = Picture(np.zeros((20, 30, 3), np.uint8), "a.png")
     return Result((obj,), (solid,), picture, {"ink": 1.23456})
 

@@ -7,7 +7,7 @@ import trimesh
 
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.export import encode, format_of, mesh_faces, to_trimesh
-from sketch2shape.model.solid import Projection, Solid
+from sketch2shape.model import Projection, Solid, two_face_boundary
 
 L_SHAPE = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2.0]])
 HOLE = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]])
@@ -17,7 +17,7 @@ def prism(rings, depth=2.0, scale=1.0):
     flat = np.concatenate(rings)
     front = np.c_[flat, np.zeros(len(flat))]
     back = np.c_[flat * scale, np.full(len(flat), depth)]
-    return Solid(np.concatenate([front, back]), tuple(len(r) for r in rings), Projection("oblique"))
+    return Solid(two_face_boundary(np.concatenate([front, back]), [len(r) for r in rings]), Projection("oblique"))
 
 
 def manifold_volume(mesh):

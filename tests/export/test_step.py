@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sketch2shape.export import encode
-from sketch2shape.model.solid import Projection, Solid
+from sketch2shape.model import Projection, Solid, two_face_boundary
 
 L_SHAPE = np.array([[0, 0], [30, 0], [30, 10], [20, 10], [10, 10], [10, 20], [0, 20.0]])
 HOLE = np.array([[2.5, 2.5], [7.5, 2.5], [7.5, 7.5], [2.5, 7.5]])
@@ -16,7 +16,7 @@ def prism(rings, depth=20.0, scale=1.0, unit="mm"):
     flat = np.concatenate(rings)
     turn = np.linalg.qr(np.array([[1, 2, 0.5], [0, 1, 3], [2, 0.1, 1.0]]))[0]
     vertices = np.concatenate([np.c_[flat, np.zeros(len(flat))], np.c_[flat * scale, np.full(len(flat), depth)]])
-    return Solid(vertices @ turn, tuple(len(r) for r in rings), Projection("oblique"), unit)
+    return Solid(two_face_boundary(vertices @ turn, [len(r) for r in rings]), Projection("oblique"), unit)
 
 
 def read_back(data, tmp_path):

@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
+from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
-from sketch2shape.model.solid import Projection, Solid
 from sketch2shape.pipeline.result import Result
 
 BOX = [[100, 160], [300, 160], [300, 340], [100, 340]]
@@ -30,7 +30,7 @@ def drawn(f1: Sequence, d: Sequence, holes: Sequence = (), size: tuple[int, int]
     half = len(obj.vertices) // 2
     rings = np.concatenate([r.f1 for r in obj.rings])
     vertices = np.r_[np.c_[rings, np.zeros(half)], np.c_[rings, np.full(half, 150.0)]]
-    solid = Solid(vertices, tuple(len(r.f1) for r in obj.rings), Projection("oblique"))
+    solid = Solid(two_face_boundary(vertices, [len(r.f1) for r in obj.rings]), Projection("oblique"))
     return Result((obj,), (solid,), Picture(pixels, "drawing.png"))
 
 
