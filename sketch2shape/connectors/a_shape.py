@@ -13,7 +13,7 @@ from sketch2shape.connectors.connection import Walk
 from sketch2shape.connectors.delaunay import triangulate
 from sketch2shape.connectors.graph import widest_ring
 from sketch2shape.connectors.points import as_points
-from sketch2shape.connectors.polygon import size_of
+from sketch2shape.geometry import size_of
 from sketch2shape.model import Floats, Ints
 
 #: distance of the four far points from the centre, in sizes of the point set

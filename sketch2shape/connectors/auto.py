@@ -10,7 +10,7 @@ from sketch2shape.connectors.angular import by_angle
 from sketch2shape.connectors.connection import Walk
 from sketch2shape.connectors.graham import convex_hull
 from sketch2shape.connectors.orthogonal import candidate_pencils, pairings, solve
-from sketch2shape.connectors.polygon import ON_LINE, cross, distances
+from sketch2shape.connectors.polygon import ON_LINE
 from sketch2shape.connectors.ring_regularity import (
     CROSSING,
     EDGE_CUES,
@@ -35,6 +35,7 @@ from sketch2shape.connectors.tour import improve as shorten
 from sketch2shape.connectors.tour import insertion
 from sketch2shape.connectors.weights import KINDS
 from sketch2shape.connectors.whole_ring import RING_CUES, ring_cues
+from sketch2shape.geometry import cross, distances
 from sketch2shape.model import Bools, Floats, Ints
 
 #: above so many points the candidates are compared as they are: the pairs of all edges would be too many

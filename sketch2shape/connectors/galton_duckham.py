@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from sketch2shape.connectors.connection import Walk
-from sketch2shape.connectors.polygon import distances
 from sketch2shape.errors import UsageError
+from sketch2shape.geometry import distances, inside
 from sketch2shape.model import Bools, Floats, Ints
 
 #: how many arm lengths are tried when none is given
@@ -106,13 +106,3 @@ def _swing(points: Floats, gaps: Floats, r: float, start: int, free: Bools) -> I
         ring.append(following)
         arm = float(np.arctan2(*(points[current] - points[following])[::-1]))
         current = following
-
-
-def inside(points: Floats, ring: Floats) -> Bools:
-    """Which points (m, 2) lie inside a ring (n, 2), by counting crossings of a ray to the right."""
-    x, y = points[:, None, 0], points[:, None, 1]
-    a, b = ring, np.roll(ring, -1, axis=0)
-    spans = (a[:, 1] > y) != (b[:, 1] > y)
-    rise = np.where(a[:, 1] == b[:, 1], 1.0, b[:, 1] - a[:, 1])
-    at = a[:, 0] + (y - a[:, 1]) / rise * (b[:, 0] - a[:, 0])
-    return np.asarray((spans & (x < at)).sum(axis=1) % 2 == 1)

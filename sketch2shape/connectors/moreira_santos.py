@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from sketch2shape.connectors.connection import Walk
-from sketch2shape.connectors.galton_duckham import inside
 from sketch2shape.connectors.graham import convex_hull
-from sketch2shape.connectors.polygon import blocked, distances, segment_distance, size_of
+from sketch2shape.connectors.polygon import blocked
 from sketch2shape.errors import UsageError
+from sketch2shape.geometry import distances, inside, segment_distance, size_of
 from sketch2shape.model import Floats, Ints
 
 

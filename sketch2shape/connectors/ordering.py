@@ -12,11 +12,12 @@ import numpy as np
 
 from sketch2shape.connectors.angular import by_angle
 from sketch2shape.connectors.orthogonal import TOLERANCE
-from sketch2shape.connectors.polygon import canonical, cross, size_of
+from sketch2shape.connectors.polygon import canonical
 from sketch2shape.connectors.registry import find_method
 from sketch2shape.connectors.split_walk import split_walk_preconditions
 from sketch2shape.connectors.stage import connect
 from sketch2shape.errors import LimitError, PointsError
+from sketch2shape.geometry import cross, size_of
 from sketch2shape.model import Floats
 
 INK = "ink"

@@ -15,8 +15,9 @@ from typing import Literal
 import numpy as np
 
 from sketch2shape.connectors.connection import Walk
-from sketch2shape.connectors.polygon import canonical, cross, ring_is_simple, size_of
+from sketch2shape.connectors.polygon import canonical, ring_is_simple
 from sketch2shape.errors import PointsError, UsageError
+from sketch2shape.geometry import cross, size_of
 from sketch2shape.model import Floats, Ints
 
 #: points within this part of the size of a common line are on it

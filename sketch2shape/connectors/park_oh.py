@@ -12,8 +12,9 @@ import numpy as np
 
 from sketch2shape.connectors.connection import Walk
 from sketch2shape.connectors.graham import convex_hull
-from sketch2shape.connectors.polygon import blocked, segment_distance
+from sketch2shape.connectors.polygon import blocked
 from sketch2shape.errors import UsageError
+from sketch2shape.geometry import segment_distance
 from sketch2shape.model import Floats, Ints
 
 #: digging threshold N when none is given; a lower one digs deeper

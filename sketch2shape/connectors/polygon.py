@@ -1,64 +1,16 @@
-"""Plane geometry the connectors share: turns, crossings, distances, simple rings."""
+"""Polygons as the connectors share them: edges that block each other, simple rings, orders."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.geometry import cross, segments_meet
+from sketch2shape.model import Floats, Ints
 
 #: a point nearer to a line than this part of the points' size lies on it
 ON_LINE = 1e-9
 #: above this many vertices a ring is tested for crossings with an index (GEOS) rather than pair by pair
 PAIRWISE = 600
-
-
-def cross(a: Floats, b: Floats) -> Floats:
-    """z of the cross product of vectors (..., 2): positive if b is counter-clockwise of a (y up)."""
-    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
-
-
-def size_of(points: Floats) -> float:
-    """Diagonal of the bounding box."""
-    return float(np.hypot(*np.ptp(points, axis=0)))
-
-
-def signed_area(ring: Floats) -> float:
-    """Area of a ring (n, 2): positive if counter-clockwise (y up)."""
-    centred = ring - ring[0]
-    return 0.5 * float(cross(centred, np.roll(centred, -1, axis=0)).sum())
-
-
-def distances(points: Floats) -> Floats:
-    """(n, n) distances between points."""
-    gap = points[:, None] - points[None]
-    return np.asarray(np.hypot(gap[..., 0], gap[..., 1]))
-
-
-def segment_distance(p: Floats, a: Floats, b: Floats) -> Floats:
-    """Distance of points p (..., 2) from segments a-b, broadcasting."""
-    ab, ap = b - a, p - a
-    length2 = (ab * ab).sum(axis=-1)
-    t = np.clip((ap * ab).sum(axis=-1) / np.where(length2 > 0, length2, 1.0), 0.0, 1.0)
-    off = ap - t[..., None] * ab
-    return np.asarray(np.hypot(off[..., 0], off[..., 1]))
-
-
-def segments_meet(a: Floats, b: Floats, c: Floats, d: Floats, slack: float = 0.0) -> Bools:
-    """Whether segments a-b and c-d have a point in common, broadcasting; orientations within `slack` count as zero."""
-
-    def side(p: Floats, q: Floats, r: Floats) -> Floats:
-        value = cross(q - p, r - p)
-        return np.where(np.abs(value) <= slack, 0.0, np.sign(value))
-
-    def between(p: Floats, q: Floats, r: Floats) -> Bools:
-        low, high = np.minimum(p, q), np.maximum(p, q)
-        return np.asarray(((low <= r) & (r <= high)).all(axis=-1))
-
-    s1, s2, s3, s4 = side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)
-    proper = (s1 * s2 < 0) & (s3 * s4 < 0)
-    touch = (s1 == 0) & between(a, b, c) | (s2 == 0) & between(a, b, d)
-    touch |= (s3 == 0) & between(c, d, a) | (s4 == 0) & between(c, d, b)
-    return np.asarray(proper | touch)
 
 
 def blocked(points: Floats, a: int, b: int, edges: Ints) -> bool:

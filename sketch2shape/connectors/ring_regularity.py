@@ -16,8 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.connectors.polygon import cross, distances, segment_distance, size_of
 from sketch2shape.connectors.symmetry import symmetries
+from sketch2shape.geometry import cross, distances, segment_distance, size_of
 from sketch2shape.model import Bools, Floats, Ints
 
 #: directions that differ by this much (radians) are one step apart; short edges get more, see `_direction_slack`

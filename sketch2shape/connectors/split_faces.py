@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.connectors.polygon import cross, size_of
+from sketch2shape.geometry import cross, size_of
 from sketch2shape.model import Floats, Ints
 
 #: a point within this part of the size from where its partner should be matches

@@ -10,7 +10,7 @@ import numpy as np
 
 from sketch2shape.connectors.connection import Walk
 from sketch2shape.connectors.graham import convex_hull
-from sketch2shape.connectors.polygon import distances
+from sketch2shape.geometry import distances
 from sketch2shape.model import Floats, Ints
 
 

@@ -15,10 +15,11 @@ from numpy.typing import ArrayLike
 
 from sketch2shape.connectors.connection import Connection
 from sketch2shape.connectors.points import check_points
-from sketch2shape.connectors.polygon import canonical, ring_edges_of, ring_is_simple, size_of
+from sketch2shape.connectors.polygon import canonical, ring_edges_of, ring_is_simple
 from sketch2shape.connectors.split_faces import Placement, match, placements
 from sketch2shape.connectors.stage import connect_detailed
 from sketch2shape.errors import PointsError
+from sketch2shape.geometry import size_of
 from sketch2shape.model import Floats, Ints
 
 #: log odds against a split for each step of its misfit: the noise of one corner, as a part of the size

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from sketch2shape.connectors.graham import convex_hull
-from sketch2shape.connectors.polygon import ON_LINE, cross
+from sketch2shape.connectors.polygon import ON_LINE
 from sketch2shape.connectors.ring_regularity import Edges
+from sketch2shape.geometry import cross
 from sketch2shape.model import Bools, Floats, Ints
 
 RING_CUES = (

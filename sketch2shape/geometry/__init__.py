@@ -1,8 +1,33 @@
-"""Plane geometry that several stages share: lines, plane maps, homologies."""
+"""Plane geometry that several stages share: points, lines, rings, plane maps, homologies."""
 
 from __future__ import annotations
 
 from sketch2shape.geometry.lines import fit_lines, moments, project, thinned
+from sketch2shape.geometry.plane import (
+    cross,
+    distances,
+    inside,
+    line_crossings,
+    segment_distance,
+    segments_meet,
+    signed_area,
+    size_of,
+)
 from sketch2shape.geometry.plane_maps import map_cost, plane_map
 
-__all__ = ["fit_lines", "map_cost", "moments", "plane_map", "project", "thinned"]
+__all__ = [
+    "cross",
+    "distances",
+    "fit_lines",
+    "inside",
+    "line_crossings",
+    "map_cost",
+    "moments",
+    "plane_map",
+    "project",
+    "segment_distance",
+    "segments_meet",
+    "signed_area",
+    "size_of",
+    "thinned",
+]

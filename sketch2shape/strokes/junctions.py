@@ -11,8 +11,12 @@ from math import hypot
 
 import numpy as np
 
+from sketch2shape.geometry import cross, line_crossings
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes.tracing import Strokes
+
+#: least sine of the angle between strokes whose crossing says anything; 6 degrees
+LEAST_SINE = 0.1
 
 
 @dataclass(frozen=True)
@@ -55,18 +59,22 @@ def join_ends(strokes: Strokes, pen: float) -> Corners:
 
 def crossed(strokes: Strokes, reach: float) -> Floats:
     """Points where two strokes run across each other, both for more than twice the reach on, (k, 2) float, pixels."""
-    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
-    i, j = np.triu_indices(len(a), 1)
-    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
+    i, j, s, t = slanted_pairs(strokes)
     length = strokes.lengths
-    slanted = np.abs(det) > 0.1 * length[i] * length[j]
-    i, j, det = i[slanted], j[slanted], det[slanted]
-    w = a[j] - a[i]
-    s = (w[:, 0] * span[j, 1] - w[:, 1] * span[j, 0]) / det
-    t = (w[:, 0] * span[i, 1] - w[:, 1] * span[i, 0]) / det
     inner_s, inner_t = np.minimum(s, 1 - s) * length[i], np.minimum(t, 1 - t) * length[j]
     ok = (inner_s > 2 * reach) & (inner_t > 2 * reach)
-    return np.asarray(a[i[ok]] + s[ok, None] * span[i[ok]])
+    a, b = strokes.ends[i[ok]].swapaxes(0, 1)
+    return np.asarray(a + s[ok, None] * (b - a))
+
+
+def slanted_pairs(strokes: Strokes) -> tuple[Ints, Ints, Floats, Floats]:
+    """Pairs of strokes that are far from parallel: numbers of both, and where their lines cross, 0..1 along each."""
+    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
+    i, j = np.triu_indices(len(a), 1)
+    slanted = np.abs(cross(span[i], span[j])) > LEAST_SINE * strokes.lengths[i] * strokes.lengths[j]
+    i, j = i[slanted], j[slanted]
+    s, t = line_crossings(a[i], span[i], a[j], span[j])
+    return i, j, s, t
 
 
 def crossings(strokes: Strokes, reach: float, least: int = 3) -> Floats:

@@ -17,7 +17,7 @@ import numpy as np
 from sketch2shape.model import Bools, Floats, Ints, to_picture
 from sketch2shape.strokes.corner_detectors import DETECTORS, Detector, check_detector, near, propose, reach_of
 from sketch2shape.strokes.junctions import Corners as Joined
-from sketch2shape.strokes.junctions import join_ends
+from sketch2shape.strokes.junctions import join_ends, slanted_pairs
 from sketch2shape.strokes.stage import drawn_strokes, ink_of, working_tolerance
 from sketch2shape.strokes.tracing import Strokes
 
@@ -173,17 +173,10 @@ def _kind(arms: Floats, on: bool) -> Kind:
 def _crossings(strokes: Strokes, corners: Floats, pen: float) -> tuple[Floats, Ints]:
     """Where strokes cross away from corners (k, 2): (m, 2) points, and (m,) how many strokes cross there."""
     near = strokes.tolerance + 2 * pen
-    a, span = strokes.ends[:, 0], strokes.ends[:, 1] - strokes.ends[:, 0]
-    i, j = np.triu_indices(len(a), 1)
-    det = span[i, 0] * span[j, 1] - span[i, 1] * span[j, 0]
-    lengths = strokes.lengths + 1e-9
-    ok = np.abs(det) > 0.1 * lengths[i] * lengths[j]
-    i, j, det = i[ok], j[ok], det[ok]
-    gap = a[j] - a[i]
-    s = (gap[:, 0] * span[j, 1] - gap[:, 1] * span[j, 0]) / det
-    t = (gap[:, 0] * span[i, 1] - gap[:, 1] * span[i, 0]) / det
+    i, j, s, t = slanted_pairs(strokes)
     inside = (s > 0) & (s < 1) & (t > 0) & (t < 1)
-    points, pairs = (a[i] + s[:, None] * span[i])[inside], np.c_[i, j][inside]
+    a, b = strokes.ends[i[inside]].swapaxes(0, 1)
+    points, pairs = a + s[inside, None] * (b - a), np.c_[i, j][inside]
     if len(points) and len(corners):
         free = np.linalg.norm(points[:, None] - corners[None], axis=2).min(axis=1) > near
         points, pairs = points[free], pairs[free]

@@ -6,7 +6,8 @@ import pytest
 
 import sketch2shape
 from sketch2shape.connectors import connect, connect_detailed, methods
-from sketch2shape.connectors.polygon import blocked, canonical, ring_is_simple, segments_meet, signed_area
+from sketch2shape.connectors.polygon import blocked, canonical, ring_is_simple
+from sketch2shape.geometry import segments_meet, signed_area
 
 SQUARE = np.array([(0, 0), (4, 0), (4, 3), (0, 3)], float)
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sketch2shape.connectors import connect, connect_detailed
-from sketch2shape.connectors.galton_duckham import inside
 from sketch2shape.connectors.polygon import canonical
+from sketch2shape.geometry import inside
 
 TWO_GROUPS = np.array([(0, 0), (2, 0), (1, 2), (20, 0), (22, 0), (21, 2)], float)
 
