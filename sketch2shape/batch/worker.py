@@ -11,7 +11,7 @@ import threading
 
 #: modules that the fork server imports once for all workers: what one picture or another needs, also inside functions
 PRELOAD = (
-    *("numpy", "cv2", "PIL.PngImagePlugin", "PIL.JpegImagePlugin", "mapbox_earcut", "skimage.morphology"),
+    *("numpy", "cv2", "PIL.PngImagePlugin", "PIL.JpegImagePlugin", "shapely", "skimage.morphology"),
     *(
         "sketch2shape.conversion.convert",
         "sketch2shape.pipeline.reconstruction",

@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from sketch2shape.export.encode import FORMATS, MESH_FORMATS, encode, format_of
-from sketch2shape.export.mesh import mesh_faces, to_trimesh
+from sketch2shape.export.mesh import to_trimesh
 
-__all__ = ["FORMATS", "MESH_FORMATS", "encode", "format_of", "mesh_faces", "to_trimesh"]
+__all__ = ["FORMATS", "MESH_FORMATS", "encode", "format_of", "to_trimesh"]

@@ -7,12 +7,12 @@ in its own plane, at full size: what one would cut or print to fold, mill or tra
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.export.hidden import Line, drawing_lines
-from sketch2shape.export.mesh import cap_plane
 from sketch2shape.model import Floats, Solid, TwoFaceObject
+from sketch2shape.solids import edge_runs, front_rings
 
 LAYERS = ("visible", "hidden")
 
@@ -22,11 +22,35 @@ _GAP = 0.1
 _SVG = '<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{x:.6g} {y:.6g} {w:.6g} {h:.6g}">\n{body}\n</svg>\n'
 
 
+@dataclass(frozen=True)
+class DrawnLine:
+    """A piece of an edge in the drawing.
+
+    start, end : (2,) pixels
+    visible    : is no face in front of it?
+    edge       : row of `TwoFaceObject.edges` it belongs to
+    """
+
+    start: Floats
+    end: Floats
+    visible: bool
+    edge: int
+
+
+def drawn_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
+    """The object's edges as drawn lines, cut where they pass in or out of sight, in the order of `obj.edges`."""
+    points, lines = obj.vertices, []
+    for number, runs in enumerate(edge_runs(solid, points)):
+        a, b = points[solid.edge_ends[number]]
+        lines += [DrawnLine(a + t * (b - a), a + u * (b - a), visible, number) for t, u, visible in runs]
+    return lines
+
+
 def drawing_svg(objects: Sequence[TwoFaceObject], solids: Sequence[Solid], size: tuple[int, int]) -> str:
     """The cleaned drawing as SVG: for each object a group for each layer; size is the picture's, pixels."""
     bodies = []
     for number, (obj, solid) in enumerate(zip(objects, solids, strict=True), 1):
-        lines = drawing_lines(obj, solid)
+        lines = drawn_lines(obj, solid)
         layers = "\n".join(_svg_layer(lines, layer) for layer in LAYERS)
         bodies.append(f'<g id="object_{number}" fill="none" stroke="black" stroke-linecap="round">\n{layers}\n</g>')
     width, height = size
@@ -39,7 +63,7 @@ def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> st
     """The cleaned drawing as DXF (release 12), layers VISIBLE and HIDDEN, y upward, one unit a pixel."""
     entities: list[str] = []
     for obj, solid in zip(objects, solids, strict=True):
-        for line in drawing_lines(obj, solid):
+        for line in drawn_lines(obj, solid):
             (x1, y1), (x2, y2) = line.start, line.end
             layer = "VISIBLE" if line.visible else "HIDDEN"
             entities += ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
@@ -49,15 +73,15 @@ def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> st
 def face_svg(solids: Sequence[Solid]) -> str:
     """The true front faces side by side as SVG at full size, holes cut out; pixels become user units."""
     faces = _laid_out(solids)
-    high = max((float(np.ptp(face[:, 1])) for face, _ in faces), default=1.0)
-    wide = max((float(face[:, 0].max()) for face, _ in faces), default=1.0)
+    high = max((float(np.ptp(face[0][:, 1])) for face in faces), default=1.0)
+    wide = max((float(face[0][:, 0].max()) for face in faces), default=1.0)
     unit = solids[0].unit if solids else "px"
     size = f'width="{wide:.6g}{unit}" height="{high:.6g}{unit}"' if unit != "m" else ""
     stroke = 0.003 * max(wide, high)
     paths = [
         f'<path id="face_{number}" fill="none" fill-rule="evenodd" stroke="black" stroke-width="{stroke:.4g}" '
-        f'd="{_path(face, sizes)}"/>'
-        for number, (face, sizes) in enumerate(faces, 1)
+        f'd="{_path(face)}"/>'
+        for number, face in enumerate(faces, 1)
     ]
     return _SVG.format(size=size, x=-stroke, y=-stroke, w=wide + 2 * stroke, h=high + 2 * stroke, body="\n".join(paths))
 
@@ -65,8 +89,8 @@ def face_svg(solids: Sequence[Solid]) -> str:
 def face_dxf(solids: Sequence[Solid]) -> str:
     """The true front faces side by side as closed DXF polylines, layers FACE and HOLES, y up, in the solids' unit."""
     entities: list[str] = []
-    for face, sizes in _laid_out(solids):
-        for layer, ring in zip(["FACE"] + ["HOLES"] * (len(sizes) - 1), _rings(face, sizes), strict=True):
+    for face in _laid_out(solids):
+        for layer, ring in zip(["FACE"] + ["HOLES"] * (len(face) - 1), face, strict=True):
             entities += ["0", "POLYLINE", "8", layer, "66", "1", "70", "1", *_pair(10, 0.0, 0.0), "30", "0.0"]
             for x, y in ring:
                 entities += ["0", "VERTEX", "8", layer, *_pair(10, x, -y)]
@@ -74,7 +98,7 @@ def face_dxf(solids: Sequence[Solid]) -> str:
     return _dxf({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities)
 
 
-def _svg_layer(lines: list[Line], layer: str) -> str:
+def _svg_layer(lines: list[DrawnLine], layer: str) -> str:
     """One layer's lines as a single path."""
     style = ' stroke-width="1.5"' if layer == "visible" else ' stroke-width="1" stroke-dasharray="5 4"'
     shown = [line for line in lines if line.visible == (layer == "visible")]
@@ -82,25 +106,22 @@ def _svg_layer(lines: list[Line], layer: str) -> str:
     return f'<g class="{layer}"{style}><path d="{path}"/></g>'
 
 
-def _laid_out(solids: Sequence[Solid]) -> list[tuple[Floats, list[int]]]:
-    """Each front face in its own plane, from the left to the right, tops at 0."""
-    faces: list[tuple[Floats, list[int]]] = []
-    flat = [cap_plane(s) for s in solids]
-    gap = _GAP * max((float(np.ptp(f[:, 0])) for f in flat), default=0.0)
+def _laid_out(solids: Sequence[Solid]) -> list[list[Floats]]:
+    """The rings of each front face in its own plane, from the left to the right, tops at 0."""
+    faces: list[list[Floats]] = []
+    flat = [front_rings(s) for s in solids]
+    gap = _GAP * max((float(np.ptp(face[0][:, 0])) for face in flat), default=0.0)
     left = 0.0
-    for face, solid in zip(flat, solids, strict=True):
-        moved = face - face.min(axis=0) + [left, 0.0]
-        faces.append((moved, list(solid.ring_sizes)))
-        left = float(moved[:, 0].max()) + gap
+    for face in flat:
+        corner = face[0].min(axis=0)
+        moved = [ring - corner + [left, 0.0] for ring in face]
+        faces.append(moved)
+        left = float(moved[0][:, 0].max()) + gap
     return faces
 
 
-def _rings(face: Floats, sizes: list[int]) -> list[Floats]:
-    return np.split(face, np.cumsum(sizes)[:-1])
-
-
-def _path(face: Floats, sizes: list[int]) -> str:
-    rings = ("L".join(f"{x:.6g} {y:.6g}" for x, y in ring) for ring in _rings(face, sizes))
+def _path(face: list[Floats]) -> str:
+    rings = ("L".join(f"{x:.6g} {y:.6g}" for x, y in ring) for ring in face)
     return " ".join(f"M{ring}Z" for ring in rings)
 
 

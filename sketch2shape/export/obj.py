@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sketch2shape.export.mesh import mesh_faces
 from sketch2shape.model import Solid
+from sketch2shape.solids import face_triangles
 
 
 def obj_text(solids: Sequence[Solid], *, ngons: bool = False) -> str:
@@ -27,11 +27,8 @@ def obj_text(solids: Sequence[Solid], *, ngons: bool = False) -> str:
 
 def _polygons(solid: Solid, ngons: bool) -> list[list[int]]:
     """Vertex indices of each face to write."""
-    triangles: list[list[int]] = mesh_faces(solid).tolist()
-    if not ngons:
-        return triangles
-    front, back, *others = [solid.rings(face) for face in solid.faces]
-    sides = [list(ring) for (ring,) in others]
-    holed = len(front) > 1
-    caps = triangles[: len(triangles) - 2 * len(sides)] if holed else [list(front[0]), list(back[0])]
-    return caps + sides
+    polygons: list[list[int]] = []
+    for face, triangles in zip(solid.faces, face_triangles(solid.boundary), strict=True):
+        rings = solid.rings(face)
+        polygons += [list(rings[0])] if ngons and len(rings) == 1 else triangles.tolist()
+    return polygons

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sketch2shape.model import Floats, Ints, Solid, TwoFaceObject
+from sketch2shape.solids import triangulated
 
 YAW, PITCH = 28.0, 22.0
 """Where a viewer stands by default: to the right and above, degrees."""
@@ -41,15 +42,13 @@ class Stand:
 
 def surface(solids: Sequence[Solid], rotation: Floats | None = None) -> Surface:
     """The surfaces of the solids, side by side, all turned by the rotation."""
-    from sketch2shape.export.mesh import mesh_faces
-
     if not solids:
         none = np.zeros((0, 3), np.intp)
         return Surface(np.zeros((0, 3)), none, none[:, :2])
     starts = np.cumsum([0] + [len(s.vertices) for s in solids[:-1]])
     return Surface(
         np.concatenate([s.vertices for s in solids]) @ (np.eye(3) if rotation is None else rotation).T,
-        np.concatenate([mesh_faces(s) + k for s, k in zip(solids, starts, strict=True)]),
+        np.concatenate([triangulated(s) + k for s, k in zip(solids, starts, strict=True)]),
         np.concatenate([s.edge_ends + k for s, k in zip(solids, starts, strict=True)]),
     )
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from sketch2shape.model import Answer, Floats, Ints, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit, text_width
-from sketch2shape.pictures.hidden import visible_runs
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, JOIN, MUTED, PAPER, RULE, Colour
+from sketch2shape.solids import Run, edge_runs
 
 _SMALLEST, _LARGEST = 720, 2400  # longer side of the overlay, pixels: small drawings are enlarged, huge ones reduced
 
@@ -30,31 +30,25 @@ def overlay(result: Answer, *, legend: bool = True) -> Pixels:
     canvas = Canvas(w, h + strip * rows, BACKDROP)
     canvas.paste(paled, 0, 0)
     canvas.view(float(scale), (scale / 2 - 0.5, scale / 2 - 0.5))
-    for obj in result.objects:
-        draw_object(canvas, obj, unit)
+    for obj, solid in zip(result.objects, result.solids, strict=True):
+        draw_object(canvas, obj, solid, unit)
     canvas.view()
     if legend:
         _legend(canvas, result, h, strip, unit)
     return canvas.finish()
 
 
-def draw_object(canvas: Canvas, obj: TwoFaceObject, unit: float = 1.0, parts: str = "fbjv") -> None:
-    """Draw an object in the canvas's view; `unit` scales line widths, `parts` picks front, back, joins, vertices."""
+def draw_object(canvas: Canvas, obj: TwoFaceObject, solid: Solid, unit: float = 1.0) -> None:
+    """Draw an object, lifted to this solid, in the canvas's view; `unit` scales line widths."""
     half = len(obj.vertices) // 2
-    if "f" in parts:
-        canvas.fill([pair.f1 for pair in obj.rings], FRONT, 0.16)
-    runs = visible_runs(obj)
+    canvas.fill([pair.f1 for pair in obj.rings], FRONT, 0.16)
+    runs = edge_runs(solid, obj.vertices)
     order = sorted(range(len(obj.edges)), key=lambda k: _kind(obj.edges[k], half) == "f")
     for k in order:
         kind = _kind(obj.edges[k], half)
-        if kind in parts:
-            i, j = obj.edges[k]
-            _draw_edge(canvas, obj.vertices[[i, j]], runs[k], {"f": FRONT, "b": BACK, "j": JOIN}[kind], unit)
-    if "v" in parts:
-        for v, at in enumerate(obj.vertices):
-            face = "f" if v < half else "b"
-            if face in parts:
-                canvas.dot(at, 3.6 * unit, FRONT if v < half else BACK, rim_width=1.3 * unit)
+        _draw_edge(canvas, obj.vertices[obj.edges[k]], runs[k], {"f": FRONT, "b": BACK, "j": JOIN}[kind], unit)
+    for v, at in enumerate(obj.vertices):
+        canvas.dot(at, 3.6 * unit, FRONT if v < half else BACK, rim_width=1.3 * unit)
 
 
 def pale(pixels: Pixels, part: float = 0.45) -> Pixels:
@@ -71,9 +65,7 @@ def _kind(edge: Ints, half: int) -> str:
     return "j" if edge[1] >= half else "f"
 
 
-def _draw_edge(
-    canvas: Canvas, ends: Floats, runs: list[tuple[float, float, bool]], colour: Colour, unit: float
-) -> None:
+def _draw_edge(canvas: Canvas, ends: Floats, runs: list[Run], colour: Colour, unit: float) -> None:
     a, b = ends
     for start, stop, visible in runs:
         p, q = a + start * (b - a), a + stop * (b - a)
@@ -88,21 +80,18 @@ def _draw_edge(
 def _legend(canvas: Canvas, result: Answer, top: int, height: int, unit: float) -> None:
     """A line of words for each object under the picture."""
     canvas.box(0, top, canvas.width, unit, RULE)
-    for row, obj in enumerate(result.objects):
-        solid = result.solids[row] if row < len(result.solids) else None
+    for row, (obj, solid) in enumerate(zip(result.objects, result.solids, strict=True)):
         _legend_row(canvas, obj, solid, top + height * (row + 0.5), unit)
     if not result.objects:
         canvas.words((17 * unit, top + height / 2), "no two-face object found", 14 * unit, MUTED, "lm")
 
 
-def _legend_row(canvas: Canvas, obj: TwoFaceObject, solid: Solid | None, y: float, unit: float) -> None:
+def _legend_row(canvas: Canvas, obj: TwoFaceObject, solid: Solid, y: float, unit: float) -> None:
     size, x = 14 * unit, 17 * unit
     for label, colour in (("front f1", FRONT), ("back f2", BACK), ("connecting", JOIN)):
         canvas.box(x, y - 1.5 * unit, 18 * unit, 3 * unit, colour)
         canvas.words((x + 24 * unit, y), label, size, INK, "lm")
         x += 24 * unit + text_width(label, size) + 20 * unit
-    words = f"confidence {obj.confidence:.2f}"
-    if solid is not None:
-        words = f"{solid.projection.family}, {words}"
+    words = f"{solid.projection.family}, confidence {obj.confidence:.2f}"
     if x + text_width(words, size) < canvas.width - 17 * unit:
         canvas.words((canvas.width - 17 * unit, y), words, size, MUTED, "rm")

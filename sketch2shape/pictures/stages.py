@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.model import Answer, Floats, TwoFaceObject
+from sketch2shape.model import Answer, Floats, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit
 from sketch2shape.pictures.overlay import draw_object
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, MUTED, PAPER, RULE, Colour, mix
@@ -51,16 +51,20 @@ def stage_panels(result: Answer, size: tuple[int, int] = (_WIDTH, _HEIGHT)) -> l
     panels = [Stage("Input", "The drawing as it was read.", frame.input())]
     if not result.objects:
         return panels
-    drawings: list[tuple[str, str, Callable[[Canvas, TwoFaceObject], None]]] = [
+    drawings: list[tuple[str, str, Callable[[Canvas, TwoFaceObject, Solid], None]]] = [
         (
             "Vertices and regions",
             "The object's corners; the centroid line splits each face into an upper (full) and a lower (open) region.",
-            _regions,
+            lambda c, o, _: _regions(c, o),
         ),
-        ("Face f1", "The vertices of the front face.", lambda c, o: _numbered(c, o, front=True)),
-        ("Face f2", "The vertices of the back face, in the same order.", lambda c, o: _numbered(c, o, front=False)),
-        ("Both faces", "Each front vertex and the back vertex it belongs to.", _pairs),
-        ("Each face connected", "The order of the vertices makes each face a polygon.", _faces),
+        ("Face f1", "The vertices of the front face.", lambda c, o, _: _numbered(c, o, front=True)),
+        (
+            "Face f2",
+            "The vertices of the back face, in the same order.",
+            lambda c, o, _: _numbered(c, o, front=False),
+        ),
+        ("Both faces", "Each front vertex and the back vertex it belongs to.", lambda c, o, _: _pairs(c, o)),
+        ("Each face connected", "The order of the vertices makes each face a polygon.", lambda c, o, _: _faces(c, o)),
         ("Complete object", "The connecting edges join the faces; hidden edges are dashed.", draw_object),
     ]
     for title, sentence, draw in drawings:
@@ -97,11 +101,11 @@ class _Frame:
         canvas.paste(self.picture, int(self.offset[0]), int(self.offset[1]))
         return canvas.finish()
 
-    def draw(self, draw: Callable[[Canvas, TwoFaceObject], None]) -> Pixels:
+    def draw(self, draw: Callable[[Canvas, TwoFaceObject, Solid], None]) -> Pixels:
         canvas = Canvas(*self.size, PAPER)
         canvas.view(self.scale, self.offset + self.scale / 2 - 0.5)
-        for obj in self.result.objects:
-            draw(canvas, obj)
+        for obj, solid in zip(self.result.objects, self.result.solids, strict=True):
+            draw(canvas, obj, solid)
         return canvas.finish()
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from sketch2shape.errors import UsageError
 from sketch2shape.export import encode, format_of
-from sketch2shape.export.hidden import drawing_lines
+from sketch2shape.export.drawing import drawn_lines
 from sketch2shape.lifting import LiftOptions, lift
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
@@ -22,20 +22,20 @@ def result(*objects, **options):
 
 
 def hidden_length(obj, **options):
-    lines = drawing_lines(obj, lift(obj, options=LiftOptions(**options)))
+    lines = drawn_lines(obj, lift(obj, options=LiftOptions(**options)))
     return sum(np.linalg.norm(line.end - line.start) for line in lines if not line.visible)
 
 
 @pytest.mark.parametrize("up", [None, "y", "z"])
 def test_the_three_far_edges_of_a_box_are_hidden(up):
-    lines = drawing_lines(BOX, lift(BOX, options=LiftOptions(up=up)))
+    lines = drawn_lines(BOX, lift(BOX, options=LiftOptions(up=up)))
     gone = {frozenset(BOX.edges[line.edge].tolist()) for line in lines if not line.visible}
     # the far lower left corner is vertex 7: its three edges are behind the box
     assert gone == {frozenset((6, 7)), frozenset((7, 4)), frozenset((3, 7))}
 
 
 def test_mirrored_reading_hides_the_other_corner():
-    lines = drawing_lines(BOX, lift(BOX, options=LiftOptions(necker=True)))
+    lines = drawn_lines(BOX, lift(BOX, options=LiftOptions(necker=True)))
     gone = {frozenset(BOX.edges[line.edge].tolist()) for line in lines if not line.visible}
     assert gone == {frozenset((0, 1)), frozenset((1, 2)), frozenset((1, 5))}
 
@@ -48,7 +48,7 @@ def test_perspective_box_hides_three_edges():
     view = (box - [0, 0, 1]) @ yaw.T @ pitch.T + [0, 0, 6]
     flat = view[:, :2] / view[:, 2:] * 700 + 300
     obj = TwoFaceObject(flat[:4], flat[4:])
-    lines = drawing_lines(obj, lift(obj))
+    lines = drawn_lines(obj, lift(obj))
     gone = {i for line in lines if not line.visible for i in [set(obj.edges[line.edge].tolist())][0]}
     far = int(view[:, 2].argmax())
     assert len({line.edge for line in lines if not line.visible}) == 3
@@ -57,7 +57,7 @@ def test_perspective_box_hides_three_edges():
 
 def test_back_edge_of_a_hole_is_seen_in_part():
     shallow = TwoFaceObject(FACE, FACE + [30, -20], (FacePair(HOLE, HOLE + [30, -20]),))
-    lines = [line for line in drawing_lines(shallow, lift(shallow)) if line.edge in range(12, 24)]
+    lines = [line for line in drawn_lines(shallow, lift(shallow)) if line.edge in range(12, 24)]
     # of the hole's back ring the left and the lower side show through, each without its last piece
     back = [line for line in lines if set(shallow.edges[line.edge].tolist()) == {14, 15}]
     assert [line.visible for line in sorted(back, key=lambda line: line.start[0])] == [True, False]
@@ -65,7 +65,7 @@ def test_back_edge_of_a_hole_is_seen_in_part():
 
 
 def test_lines_cover_each_edge_once():
-    lines = drawing_lines(BOX, lift(BOX))
+    lines = drawn_lines(BOX, lift(BOX))
     drawn = np.zeros(12)
     for line in lines:
         drawn[line.edge] += np.linalg.norm(line.end - line.start)

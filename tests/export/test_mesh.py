@@ -6,7 +6,7 @@ import pytest
 import trimesh
 
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.export import encode, format_of, mesh_faces, to_trimesh
+from sketch2shape.export import encode, format_of, to_trimesh
 from sketch2shape.model import Projection, Solid, two_face_boundary
 
 L_SHAPE = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2.0]])
@@ -81,12 +81,6 @@ def test_obj_keeps_the_order_of_vertices_and_can_hold_polygons():
     rows = [line.split() for line in text.splitlines()]
     assert np.allclose([[float(x) for x in r[1:]] for r in rows if r[0] == "v"], solid.vertices)
     assert sorted(len(r) - 1 for r in rows if r[0] == "f") == [4] * 6 + [6, 6]
-
-
-def test_both_caps_use_the_same_triangles():
-    solid = prism([L_SHAPE])
-    faces = mesh_faces(solid)
-    assert {frozenset(f) for f in faces[:4].tolist()} == {frozenset(i - 6 for i in f) for f in faces[4:8].tolist()}
 
 
 def test_format_is_known_by_its_extension():
