@@ -49,7 +49,8 @@ def thin(ink: Ink) -> Skeleton:
     """Skeleton of the ink, split into its branches."""
     from skimage.morphology import skeletonize
 
-    mask = np.asarray(skeletonize(ink.mask), np.uint8)  # type: ignore[no-untyped-call]
+    # scikit-image before 0.23 refuses a view into a larger picture
+    mask = np.asarray(skeletonize(np.ascontiguousarray(ink.mask)), np.uint8)  # type: ignore[no-untyped-call]
     # one pixel of margin lets the neighbour count and the contours treat border pixels like all others
     branches = cv2.copyMakeBorder(mask, 1, 1, 1, 1, cv2.BORDER_CONSTANT)
     around = cv2.boxFilter(branches, cv2.CV_8U, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT)

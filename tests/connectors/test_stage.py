@@ -7,7 +7,6 @@ import pytest
 import sketch2shape
 from sketch2shape.connectors import connect, connect_detailed, methods
 from sketch2shape.connectors.polygon import blocked, canonical, ring_is_simple
-from sketch2shape.geometry import segments_meet, signed_area
 
 SQUARE = np.array([(0, 0), (4, 0), (4, 3), (0, 3)], float)
 
@@ -66,15 +65,7 @@ def test_the_walks_path_imports_numpy_only():
     )
 
 
-# ---------------------------------------------------------------- geometry
-
-
-def test_segments_meet_in_a_crossing_a_touch_and_not():
-    a, b = np.array([0.0, 0.0]), np.array([4.0, 0.0])
-    others = np.array(
-        [[(2, -1), (2, 1)], [(2, 0), (2, 1)], [(2, 1), (2, 2)], [(5, 0), (6, 0)], [(3, 0), (6, 0)]], float
-    )
-    assert segments_meet(a, b, others[:, 0], others[:, 1]).tolist() == [True, True, False, False, True]
+# ---------------------------------------------------------------- polygons
 
 
 def test_blocked_ignores_a_shared_end_but_not_an_overlap():
@@ -94,8 +85,3 @@ def test_simple_rings(n):
 
 def test_a_ring_that_touches_itself_is_not_simple():
     assert not ring_is_simple(np.array([(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)], float))
-
-
-def test_signed_area():
-    assert signed_area(SQUARE) == 12.0
-    assert signed_area(SQUARE[::-1]) == -12.0

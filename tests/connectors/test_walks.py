@@ -81,13 +81,3 @@ def test_angular_is_exact_for_a_star():
     star = np.where(np.arange(10) % 2, 0.4, 1.0)[:, None] * np.column_stack((np.cos(angle), np.sin(angle)))
     shuffled = np.random.default_rng(0).permutation(10)
     assert canonical(shuffled[connect(star[shuffled], "angular")]) == tuple(range(10))
-
-
-def test_inside_counts_crossings():
-    square = np.array([(0, 0), (2, 0), (2, 2), (0, 2)], float)
-    assert inside(np.array([(1.0, 1.0), (3.0, 1.0), (-1.0, 1.0), (1.0, 5.0)]), square).tolist() == [
-        True,
-        False,
-        False,
-        False,
-    ]
