@@ -62,12 +62,14 @@ class _FaceImages:
         self.rings = [[points[list(ring)] for ring in rings] for rings in faces]
         self.members = np.zeros((len(faces), len(points)), bool)
         self.slopes, self.offsets = np.zeros((len(faces), 2)), np.zeros(len(faces))
+        self.low, self.high = np.zeros((len(faces), 2)), np.zeros((len(faces), 2))
         for k, rings in enumerate(faces):
             every = [i for ring in rings for i in ring]
             middle = points[every].mean(axis=0)
             rows = np.c_[points[every] - middle, np.ones(len(every))]
             fit, *_ = np.linalg.lstsq(rows, near[every], rcond=1e-6)
             self.members[k, every] = True
+            self.low[k], self.high[k] = points[every].min(axis=0), points[every].max(axis=0)
             self.slopes[k], self.offsets[k] = fit[:2], fit[2] - fit[:2] @ middle
 
     def hide(self, edge: Ints, t: Floats) -> Bools:
@@ -77,6 +79,8 @@ class _FaceImages:
         own = self.near[a] + t * (self.near[b] - self.near[a])
         front = at @ self.slopes.T + self.offsets > (own + self.slack)[:, None]
         front &= ~(self.members[:, a] & self.members[:, b])
+        for axis in (0, 1):  # whatever lies outside a face's box it cannot hide
+            front &= (self.low[:, axis] <= at[:, axis, None]) & (at[:, axis, None] <= self.high[:, axis])
         hidden = np.zeros(len(t), bool)
         for k in np.flatnonzero(front.any(axis=0)):
             behind = np.flatnonzero(front[:, k] & ~hidden)
