@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sketch2shape.errors import LimitError, PointsError
+from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 
 #: largest |coordinate|; beyond it, differences of pixels drown in rounding (a double holds 15.9 digits)
@@ -65,8 +66,7 @@ def check_spread(points: Floats) -> None:
         far = centred[np.argmax(np.abs(centred).max(axis=1))]
         size = float(np.abs(far).max())
         rounding = 4 * np.finfo(float).eps * float(np.abs(sample[0]).max())
-        cross = np.abs(centred[:, 0] * far[1] - centred[:, 1] * far[0])
-        if float(cross.max()) > size * (FLAT * size + rounding):
+        if float(np.abs(cross(centred, far)).max()) > size * (FLAT * size + rounding):
             return
     raise PointsError(f"expected points that span an area, got {len(points)} points on one line")
 

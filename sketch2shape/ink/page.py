@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.geometry import signed_area
 from sketch2shape.ink.resampling import averaged
 from sketch2shape.model import Bools, Floats, Gray, as_gray
 
@@ -130,8 +131,8 @@ def _quadrilateral(region: Gray) -> Floats | None:
     if not cv2.isContourConvex(corners.astype(np.float32)):
         return None
     corners = np.roll(corners, -int(np.argmin(corners.sum(axis=1))), axis=0)
-    (ax, ay), (bx, by) = corners[1] - corners[0], corners[2] - corners[1]
-    return np.asarray(corners if ax * by - ay * bx > 0 else np.roll(corners[::-1], 1, axis=0), dtype=np.float64)
+    clockwise = signed_area(corners) > 0  # as seen: y runs down
+    return np.asarray(corners if clockwise else np.roll(corners[::-1], 1, axis=0), dtype=np.float64)
 
 
 def _side(outline: Floats, a: Floats, b: Floats) -> tuple[float, float, float] | None:

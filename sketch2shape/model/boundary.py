@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from sketch2shape.errors import PointsError
 from sketch2shape.model.arrays import Floats, Ints
 from sketch2shape.model.drawing import ring_edges
 
@@ -168,7 +169,11 @@ def two_face_boundary(vertices: Floats, ring_sizes: Sequence[int]) -> Boundary:
 
     vertices   : (2m, 3) float in the order of `TwoFaceObject.vertices`; the edges keep the order of its `edges`
     ring_sizes : vertices of each ring of one face: the outer ring first, then the holes; m is their sum
+
+    Raises PointsError if a ring has fewer than three vertices.
     """
+    if min(ring_sizes) < 3:
+        raise PointsError(f"expected rings of at least 3 vertices, got one of {min(ring_sizes)}")
     half, start = sum(ring_sizes), 0
     through = vertices[half:].mean(axis=0) - vertices[:half].mean(axis=0)
     front: list[Ring] = []

@@ -3,6 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sketch2shape.errors import PointsError
 from sketch2shape.model import Plane, Projection, Solid, TwoFaceObject, polyhedron, two_face_boundary
 
 SQUARE = np.array([[0, 0], [2, 0], [2, 2], [0, 2.0]])
@@ -73,6 +74,11 @@ def test_scaled_takes_the_surfaces_along():
 def test_faces_that_do_not_close_are_refused(faces):
     with pytest.raises(ValueError, match="do not close"):
         polyhedron(PYRAMID, faces)
+
+
+def test_a_face_of_two_vertices_is_refused():
+    with pytest.raises(PointsError, match="at least 3"):
+        prism([SQUARE[:2]])
 
 
 def test_edges_keep_the_order_given():
