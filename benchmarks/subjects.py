@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model.arrays import Floats
-from sketch2shape.synthetic.drawing import draw
-from sketch2shape.synthetic.hand import RULER
-from sketch2shape.synthetic.negatives import NEGATIVES
-from sketch2shape.synthetic.pens import Pen
+from synthetic.drawing import draw
+from synthetic.hand import RULER
+from synthetic.negatives import NEGATIVES
+from synthetic.pens import Pen
 
 ROOT = Path(__file__).resolve().parent.parent
 BENCH = ROOT.parent / "shared" / "bench" / "drawings"

@@ -8,11 +8,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import repository  # noqa: F401 - for `evaluation`
 from numpy.typing import NDArray
 
 sys.path.insert(0, str(Path(__file__).parent))
-from markdown_table import table
-
+from evaluation.markdown import table
 from sketch2shape.connectors import connect, methods
 from sketch2shape.connectors.registry import find_method
 from sketch2shape.errors import Sketch2ShapeError

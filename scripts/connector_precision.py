@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import repository  # noqa: F401 - for `evaluation`
 
 sys.path.insert(0, str(Path(__file__).parent))
 from connector_faces import SETS, Face, face_set, with_a_vertex_missing, with_an_extra_vertex
-from markdown_table import table
 
 from sketch2shape.connectors import connect, connect_detailed, split_walk_preconditions
 from sketch2shape.connectors.polygon import canonical

@@ -23,15 +23,15 @@ from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # two worker processes, a core each
 
-from failure_sheets import write_sheets
 from PIL import Image
-from results_page import summary_table, write_page
+from repository import ROOT
 
-from sketch2shape.synthetic import metrics
-from sketch2shape.synthetic.drawing import draw
-from sketch2shape.synthetic.recipes import RECIPES
+from evaluation.failures import write_sheets
+from evaluation.page import summary_table, write_page
+from synthetic import metrics
+from synthetic.drawing import draw
+from synthetic.recipes import RECIPES
 
-ROOT = Path(__file__).resolve().parent.parent
 SETS = ("committed", "fresh", "bench", "real")
 
 Case = dict[str, Any]

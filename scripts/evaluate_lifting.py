@@ -19,6 +19,7 @@ from typing import Any
 
 import manifold3d
 import numpy as np
+from repository import ROOT
 
 from sketch2shape.lifting import choose_front, lift
 from sketch2shape.model.arrays import Floats, Ints
@@ -27,7 +28,6 @@ from sketch2shape.model.solid import Solid
 from sketch2shape.solids import triangulated
 from sketch2shape.synthetic import metrics
 
-ROOT = Path(__file__).resolve().parent.parent
 NOISES = (0.0, 0.5, 1.0, 2.0)
 #: times that noise is added anew to each drawing
 DRAWS = 5

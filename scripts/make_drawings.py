@@ -11,8 +11,10 @@ import argparse
 import fnmatch
 from pathlib import Path
 
-from sketch2shape.synthetic.drawing import draw
-from sketch2shape.synthetic.recipes import RECIPES
+import repository  # noqa: F401 - for `synthetic`
+
+from synthetic.drawing import draw
+from synthetic.recipes import RECIPES
 
 
 def main() -> None:

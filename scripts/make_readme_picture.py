@@ -9,13 +9,14 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+from repository import ROOT
 
 from sketch2shape.model.picture import Picture
 from sketch2shape.pictures import encode_png, overlay, preview
 from sketch2shape.pipeline import reconstruct
-from sketch2shape.synthetic.drawing import draw
+from synthetic.drawing import draw
 
-TARGET = Path(__file__).resolve().parent.parent / "docs" / "readme.png"
+TARGET = ROOT / "docs" / "readme.png"
 TILE = (400, 300)
 SHOWN = (("photo_wire", "house"), ("annotated_dashed", "stairs"), ("blueprint_removed", "star"))
 

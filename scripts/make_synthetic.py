@@ -8,7 +8,9 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from sketch2shape.synthetic.drawing import draw
+from repository import ROOT
+
+from synthetic.drawing import draw
 
 SEED = 2026
 ONE_EACH = (
@@ -27,7 +29,7 @@ NEGATIVES = (0, 1, 3, 5, 8, 9, 12, 13, 15, 17)
 
 
 def main() -> None:
-    out = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent.parent / "data" / "synthetic"
+    out = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "data" / "synthetic"
     for name in ONE_EACH:
         draw(name, SEED, 0).save(out)
     for index in NEGATIVES:

@@ -7,13 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from evaluation import page as page_of
+from evaluation.failures import write_sheets
 from sketch2shape import errors
 from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
 from sketch2shape.pipeline.result import Result
-from sketch2shape.synthetic import metrics
-from sketch2shape.synthetic.drawing import draw
+from synthetic import metrics
+from synthetic.drawing import draw
 
 SCRIPTS = Path(__file__).parent.parent / "scripts"
 
@@ -21,7 +23,7 @@ SCRIPTS = Path(__file__).parent.parent / "scripts"
 @pytest.fixture(scope="module")
 def scripts():
     sys.path.insert(0, str(SCRIPTS))
-    yield {name: importlib.import_module(name) for name in ("evaluate", "results_page", "failure_sheets")}
+    yield {"evaluate": importlib.import_module("evaluate")}
     sys.path.remove(str(SCRIPTS))
 
 
@@ -67,7 +69,7 @@ def test_wrong_answers_refusals_and_bugs_are_told_apart(scripts, case, monkeypat
         pretend(monkeypatch, answer)
         outcome = scripts["evaluate"].measure(case)
         assert not outcome["exact"]
-        kinds.append(scripts["results_page"].kind_of(outcome))
+        kinds.append(page_of.kind_of(outcome))
     assert kinds == ["edges wrong", "refused", "crashed: ZeroDivisionError"]
 
 
@@ -88,8 +90,8 @@ def test_the_page_tells_the_command_the_shares_and_the_failures(scripts, case, m
         pretend(monkeypatch, lambda _, turn=turn: result_for(case["truth"], turn=turn))
         outcomes.append(scripts["evaluate"].measure(case))
     page = tmp_path / "docs" / "results.md"
-    sheets = scripts["failure_sheets"].write_sheets(outcomes, page.parent / "failures")
-    scripts["results_page"].write_page(page, outcomes, "python scripts/evaluate.py", sheets)
+    sheets = write_sheets(outcomes, page.parent / "failures")
+    page_of.write_page(page, outcomes, "python scripts/evaluate.py", sheets)
     text = page.read_text()
     assert "python scripts/evaluate.py" in text
     assert "| fresh | 4 | 75.0 |" in text
@@ -104,11 +106,11 @@ def test_the_page_holds_the_tables_of_the_lifting(scripts, tmp_path):
     (tmp_path / "lifting.md").write_text(
         "# Lifting\n\nWords.\n\n## How often\n\n### A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n"
     )
-    text = scripts["results_page"].lifting(tmp_path / "lifting.md")
+    text = page_of.lifting(tmp_path / "lifting.md")
     assert "### A set\n\n| right | 0 px |\n|---|---|\n| all | 90 % |\n" in text
     assert "Words" not in text
     assert "How often" not in text
-    assert "Not measured" in scripts["results_page"].lifting(tmp_path / "none.md")
+    assert "Not measured" in page_of.lifting(tmp_path / "none.md")
 
 
 def test_the_recorded_command_leaves_out_places_on_this_machine(scripts):

@@ -6,7 +6,7 @@ import pytest
 from sketch2shape.conversion.report import report
 from sketch2shape.errors import NoObjectError
 from sketch2shape.pipeline import reconstruct
-from sketch2shape.synthetic import metrics
+from synthetic import metrics
 
 
 def test_the_object_of_each_committed_drawing_is_found(drawing):

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.faults.samples import drawing
-from sketch2shape.synthetic.hand import RULER
-from sketch2shape.synthetic.negatives import NEGATIVES
-from sketch2shape.synthetic.pens import Pen
+from synthetic.hand import RULER
+from synthetic.negatives import NEGATIVES
+from synthetic.pens import Pen
 
 Raster = NDArray[Any]
 Rng = np.random.Generator

@@ -3,9 +3,9 @@ import json
 import numpy as np
 import pytest
 
-from sketch2shape.synthetic.drawing import draw
-from sketch2shape.synthetic.negatives import NEGATIVES
-from sketch2shape.synthetic.recipes import RECIPES
+from synthetic.drawing import draw
+from synthetic.negatives import NEGATIVES
+from synthetic.recipes import RECIPES
 
 
 def rings(truth):

@@ -5,8 +5,8 @@ import copy
 import numpy as np
 import pytest
 
-from sketch2shape.synthetic import metrics
-from sketch2shape.synthetic.drawing import draw
+from synthetic import metrics
+from synthetic.drawing import draw
 
 BOX = {
     **{"f1": [[100, 100], [300, 100], [300, 300], [100, 300]], "f2": [[160, 40], [360, 40], [360, 240], [160, 240]]},

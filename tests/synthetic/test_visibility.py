@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from sketch2shape.synthetic.projecting import oblique
-from sketch2shape.synthetic.visibility import faces_of, seen_intervals
+from synthetic.projecting import oblique
+from synthetic.visibility import faces_of, seen_intervals
 
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], float)
 

@@ -1,3 +1,5 @@
+from importlib.resources import files
+
 import pytest
 
 from sketch2shape.pipeline import reconstruct
@@ -11,6 +13,11 @@ def test_each_example_becomes_a_solid(name: str) -> None:
     assert result.objects[0].confidence >= 0.9
     assert result.mesh.is_watertight
     assert len(result.objects[0].holes) == (name == "hole")
+
+
+def test_each_example_is_a_file_of_the_package_and_each_file_an_example() -> None:
+    shipped = [f.name for f in files("sketch2shape.ui").joinpath("drawings").iterdir()]
+    assert sorted(shipped) == sorted(f"{name}.png" for name in EXAMPLES)
 
 
 def test_no_other_name_is_an_example() -> None:

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sketch2shape.synthetic.hand import HEAVY, LOOSE, RULER, STEADY, TABLET, Hand
-from sketch2shape.synthetic.pens import Pen
+from synthetic.hand import HEAVY, LOOSE, RULER, STEADY, TABLET, Hand
+from synthetic.pens import Pen
 
 RGB = tuple[int, int, int]
 WHITE: RGB = (255, 255, 255)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sketch2shape.model import Floats
-from sketch2shape.synthetic.scenes import Scene
+from synthetic.scenes import Scene
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ from collections.abc import Callable
 import numpy as np
 
 from sketch2shape.model import Floats
-from sketch2shape.synthetic.hand import Hand, Stroke, freehand
-from sketch2shape.synthetic.marks import text
-from sketch2shape.synthetic.pens import Coverage, Pen, coverage
-from sketch2shape.synthetic.profiles import profile, random_simple, regular, unit_size
+from synthetic.hand import Hand, Stroke, freehand
+from synthetic.marks import text
+from synthetic.pens import Coverage, Pen, coverage
+from synthetic.profiles import profile, random_simple, regular, unit_size
 
 Sheet = tuple[int, int]
 Negative = Callable[[Sheet, Pen, Hand, np.random.Generator], Coverage]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sketch2shape.synthetic.scenes import Wish
+from synthetic.scenes import Wish
 
 
 @dataclass(frozen=True)

@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Floats
-from sketch2shape.synthetic.hand import moved_vertices, strokes_of
-from sketch2shape.synthetic.marks import MARKS, shading
-from sketch2shape.synthetic.media import MEDIA, Style
-from sketch2shape.synthetic.negatives import NEGATIVES
-from sketch2shape.synthetic.papers import CAPTURES, Image, ink_on, mapped, paper, to_pixels
-from sketch2shape.synthetic.pens import coverage
-from sketch2shape.synthetic.recipes import RECIPES, Recipe, annotated
-from sketch2shape.synthetic.scenes import Scene, scene
+from synthetic.hand import moved_vertices, strokes_of
+from synthetic.marks import MARKS, shading
+from synthetic.media import MEDIA, Style
+from synthetic.negatives import NEGATIVES
+from synthetic.papers import CAPTURES, Image, ink_on, mapped, paper, to_pixels
+from synthetic.pens import coverage
+from synthetic.recipes import RECIPES, Recipe, annotated
+from synthetic.scenes import Scene, scene
 
 
 @dataclass(frozen=True)

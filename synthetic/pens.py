@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Floats
-from sketch2shape.synthetic.hand import Stroke
+from synthetic.hand import Stroke
 
 Coverage = NDArray[np.float32]
 

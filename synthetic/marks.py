@@ -10,10 +10,10 @@ from PIL import Image as PilImage
 from PIL import ImageDraw, ImageFont
 
 from sketch2shape.model import Floats
-from sketch2shape.synthetic.hand import Stroke
-from sketch2shape.synthetic.pens import Coverage, Pen, coverage
-from sketch2shape.synthetic.scenes import Scene
-from sketch2shape.synthetic.visibility import faces_of
+from synthetic.hand import Stroke
+from synthetic.pens import Coverage, Pen, coverage
+from synthetic.scenes import Scene
+from synthetic.visibility import faces_of
 
 Mark = Callable[[Scene, Floats, tuple[int, int], Pen, np.random.Generator], Coverage]
 """(scene, drawn vertices, sheet size, pen, random numbers) to the ink to add, (h, w) 0..1."""

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from markdown_table import table
 
-from sketch2shape.synthetic import metrics
+from evaluation.markdown import table
+from synthetic import metrics
 
 Outcome = dict[str, Any]
 
@@ -141,8 +141,8 @@ def reliability(outcomes: list[Outcome], picture: Path) -> str:
         part = sure[(sure[:, 0] >= low) & (sure[:, 0] < high)]
         if len(part):
             rows.append([f"{low:g} to {min(high, 1):g}", str(len(part)), _percent(part[:, 1].sum(), len(part))])
-    high = sure[sure[:, 0] >= 0.9]
-    text = f"Of {len(high)} answers with confidence 0.9 or more, {_percent(high[:, 1].sum(), len(high))} % are right.\n"
+    best = sure[sure[:, 0] >= 0.9]
+    text = f"Of {len(best)} answers with confidence 0.9 or more, {_percent(best[:, 1].sum(), len(best))} % are right.\n"
     _diagram(sure, len(outcomes), picture)
     return f"{text}\n![reliability]({picture.name})\n\n" + table(["confidence", "answers", "right %"], rows)
 

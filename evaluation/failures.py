@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from PIL import Image as PilImage
 
-from sketch2shape.synthetic import metrics
+from synthetic import metrics
 
 Outcome = dict[str, Any]
 TILE, COLUMNS, ROWS = (300, 250), 5, 6
@@ -43,7 +43,9 @@ def tile(outcome: Outcome) -> np.ndarray[Any, Any]:
         ground = PilImage.new("RGBA", rgba.size, "white")
         picture = PilImage.alpha_composite(ground, rgba).convert("RGB")
     scale = min((w - 6) / picture.width, (h - 40) / picture.height)
-    small = np.asarray(picture.resize((round(picture.width * scale), round(picture.height * scale)), PilImage.LANCZOS))
+    small = np.asarray(
+        picture.resize((round(picture.width * scale), round(picture.height * scale)), PilImage.Resampling.LANCZOS)
+    )
     out = np.full((h, w, 3), 255, np.uint8)
     out[3 : 3 + small.shape[0], 3 : 3 + small.shape[1]] = (small * 0.55 + 255 * 0.45).astype(np.uint8)
     for truth in metrics.objects_of(outcome["truth"]):

@@ -10,9 +10,9 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from sketch2shape.model import Floats, ring_edges
-from sketch2shape.synthetic.profiles import CONVEX, EVERYDAY, LARGE, profile, regular
-from sketch2shape.synthetic.projecting import View, axonometric, oblique, random_view
-from sketch2shape.synthetic.visibility import Interval, seen_intervals
+from synthetic.profiles import CONVEX, EVERYDAY, LARGE, profile, regular
+from synthetic.projecting import View, axonometric, oblique, random_view
+from synthetic.visibility import Interval, seen_intervals
 
 
 @dataclass(frozen=True)

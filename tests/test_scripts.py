@@ -1,0 +1,20 @@
+"""Scripts run by their path, from anywhere, with nothing but the package installed."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SCRIPTS = Path(__file__).parent.parent / "scripts"
+
+
+@pytest.mark.parametrize("name", ["make_drawings", "evaluate", "evaluate_lifting"])
+def test_a_script_finds_what_it_imports(name, tmp_path):
+    kept = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+    ran = subprocess.run(
+        [sys.executable, str(SCRIPTS / f"{name}.py"), "--help"], cwd=tmp_path, env=kept, capture_output=True, text=True
+    )
+    assert ran.returncode == 0, ran.stderr
+    assert "usage:" in ran.stdout
