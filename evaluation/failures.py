@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -9,20 +10,20 @@ import cv2
 import numpy as np
 from PIL import Image as PilImage
 
-from synthetic import metrics
+from evaluation import metrics
+from evaluation.outcome import Outcome
 
-Outcome = dict[str, Any]
 TILE, COLUMNS, ROWS = (300, 250), 5, 6
 MOST = 120
 GREEN, RED, BLUE, GREY = (0, 150, 60), (220, 30, 30), (30, 80, 220), (90, 90, 90)
 
 
-def write_sheets(outcomes: list[Outcome], folder: Path) -> list[Path]:
+def write_sheets(outcomes: Sequence[Outcome], folder: Path) -> list[Path]:
     """Write folder/1.jpg, 2.jpg, ... and remove older ones; returns the paths."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.glob("*.jpg"):
         old.unlink()
-    wrong = [o for o in outcomes if not o["exact"]][:MOST]
+    wrong = [o for o in outcomes if o.wrong][:MOST]
     size = COLUMNS * ROWS
     paths = []
     for start in range(0, len(wrong), size):
@@ -38,7 +39,7 @@ def write_sheets(outcomes: list[Outcome], folder: Path) -> list[Path]:
 def tile(outcome: Outcome) -> np.ndarray[Any, Any]:
     """One picture, faded, with truth and answer over it and two lines of words below."""
     w, h = TILE
-    with PilImage.open(outcome["picture"]) as opened:
+    with PilImage.open(outcome.case.picture) as opened:
         rgba = opened.convert("RGBA")
         ground = PilImage.new("RGBA", rgba.size, "white")
         picture = PilImage.alpha_composite(ground, rgba).convert("RGB")
@@ -48,18 +49,20 @@ def tile(outcome: Outcome) -> np.ndarray[Any, Any]:
     )
     out = np.full((h, w, 3), 255, np.uint8)
     out[3 : 3 + small.shape[0], 3 : 3 + small.shape[1]] = (small * 0.55 + 255 * 0.45).astype(np.uint8)
-    for truth in metrics.objects_of(outcome["truth"]):
+    for truth in metrics.objects_of(outcome.case.truth):
         _draw(out, truth, scale, (GREEN, GREEN), 2)
-    for answer in outcome["answers"]:
+    for answer in outcome.answers:
         _draw(out, answer, scale, (RED, BLUE), 1)
     for line, text in enumerate(
-        (f"{outcome['set']} {outcome['id']} {outcome['truth'].get('profile', '')}", outcome["cause"])
+        (f"{outcome.case.set} {outcome.case.id} {outcome.case.truth.get('profile', '')}", outcome.cause)
     ):
         cv2.putText(out, text[:52], (4, h - 22 + 15 * line), cv2.FONT_HERSHEY_SIMPLEX, 0.36, GREY, 1, cv2.LINE_AA)
     return out
 
 
-def _draw(canvas: np.ndarray[Any, Any], thing: Outcome, scale: float, colours: tuple[Any, Any], width: int) -> None:
+def _draw(
+    canvas: np.ndarray[Any, Any], thing: dict[str, Any], scale: float, colours: tuple[Any, Any], width: int
+) -> None:
     vertices, edges = metrics.wireframe(thing)
     points = np.round((vertices * scale + 3) * 16).astype(int)
     half = len(vertices) // 2

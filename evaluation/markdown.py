@@ -1,4 +1,4 @@
-"""Tables of the pages that scripts write."""
+"""Tables for the pages that scripts write."""
 
 from __future__ import annotations
 
@@ -8,4 +8,9 @@ from collections.abc import Sequence
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Rows of text as Markdown; all columns but the first are aligned at the right."""
     lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
+    return "".join("| " + " | ".join(cells) + " |\n" for cells in lines)
+
+
+def percent(part: float, whole: float) -> str:
+    """A share in percent with one decimal; a dash of nothing."""
+    return f"{100 * part / whole:.1f}" if whole else "-"

@@ -15,6 +15,7 @@ import repository  # noqa: F401 - for `evaluation`
 sys.path.insert(0, str(Path(__file__).parent))
 from connector_faces import SETS, Face, face_set, with_a_vertex_missing, with_an_extra_vertex
 
+from evaluation.markdown import table
 from sketch2shape.connectors import connect, connect_detailed, split_walk_preconditions
 from sketch2shape.connectors.polygon import canonical
 from sketch2shape.errors import Sketch2ShapeError

@@ -20,13 +20,13 @@ from typing import Any
 import manifold3d
 import numpy as np
 from repository import ROOT
+from sketch2shape.synthetic import metrics
 
 from sketch2shape.lifting import choose_front, lift
 from sketch2shape.model.arrays import Floats, Ints
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.solid import Solid
 from sketch2shape.solids import triangulated
-from sketch2shape.synthetic import metrics
 
 NOISES = (0.0, 0.5, 1.0, 2.0)
 #: times that noise is added anew to each drawing

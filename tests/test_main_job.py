@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from evaluation import metrics
 from sketch2shape.conversion.report import report
 from sketch2shape.errors import NoObjectError
 from sketch2shape.pipeline import reconstruct
-from synthetic import metrics
 
 
 def test_the_object_of_each_committed_drawing_is_found(drawing):

@@ -241,7 +241,7 @@ def aligned(points: Floats, target: Floats) -> Floats:
 def solid_error(truth: Thing, answer: Thing, match: Ints) -> float:
     """Relative RMS distance of the answered from the true solid after the best similarity; nan without a true solid.
 
-    For oblique drawings and tapered objects only the front face counts: the drawing does not fix the depth. A CAD
+    For oblique drawings and tapered objects only the front face counts: the drawing does not fix the depth. A
     wireframe may be answered with its mirror image in depth, which looks the same.
     """
     want = true_solid(truth)
@@ -251,10 +251,19 @@ def solid_error(truth: Thing, answer: Thing, match: Ints) -> float:
     if family(truth) == "oblique" or str(truth.get("category", "")).startswith("taper"):
         n = len(truth["f1"])
         return _relative(got[:n], want[:n])
-    errors = [_relative(got, want)]
-    if "f1_xyz" in truth["solid"]:
-        errors.append(_relative(got * [1, 1, -1], want))
-    return min(errors)
+    return min(_relative(reading, want) for reading in _readings(truth, got))
+
+
+def nearest_reading(truth: Thing, got: Floats, want: Floats) -> Floats:
+    """The answered vertices (k, 3) aligned with the true ones, mirrored in depth if the drawing allows and it helps."""
+    best = min(_readings(truth, got), key=lambda reading: _relative(reading, want))
+    return aligned(best, want)
+
+
+def _readings(truth: Thing, got: Floats) -> list[Floats]:
+    """The answer, and its mirror image in depth where the drawing shows both alike."""
+    alike = "f1_xyz" in truth["solid"] or truth["lines"] == "wire"
+    return [got, got * [1, 1, -1]] if alike else [got]
 
 
 def _relative(got: Floats, want: Floats) -> float:

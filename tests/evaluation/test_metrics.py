@@ -5,7 +5,7 @@ import copy
 import numpy as np
 import pytest
 
-from synthetic import metrics
+from evaluation import metrics
 from synthetic.drawing import draw
 
 BOX = {
