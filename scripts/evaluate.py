@@ -36,14 +36,14 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         wanted = Wanted(args.bench, Path(scratch), args.categories, args.seed, args.per_category)
         outcomes = run(collect(args.sets, wanted), args.jobs, args.seconds)
-        print(summary_table(outcomes))
-        print(confidence_tables(outcomes))
         if args.raw:
             save(outcomes, Path(args.raw))
         if args.page:
             page = Path(args.page)
             sheets = write_sheets([o for o in outcomes if o.case.set in FRESH], page.parent / "failures")
             write_page(page, outcomes, recorded(sys.argv[1:]), sheets, args.jobs)
+        print(summary_table(outcomes))
+        print(confidence_tables(outcomes))
 
 
 def recorded(options: Sequence[str]) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from repository import ROOT
 
 from synthetic.drawing import draw
+from synthetic.recipes import HARD
 
 SEED = 2026
 ONE_EACH = (
@@ -34,6 +35,10 @@ def main() -> None:
         draw(name, SEED, 0).save(out)
     for index in NEGATIVES:
         draw("negative", SEED, index).save(out)
+    for name in sorted(HARD):
+        of_three_styles = name.endswith(("_wire", "_dashed", "_removed")) and not name.startswith("tinted")
+        for index in range(1 if of_three_styles else 2):
+            draw(name, SEED, index).save(out)
 
 
 if __name__ == "__main__":

@@ -13,14 +13,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.model import Floats
+from synthetic.cropping import Window, window
+from synthetic.flat import FLAT
 from synthetic.hand import moved_vertices, strokes_of
+from synthetic.layers import Drawn, Layer
 from synthetic.marks import MARKS, shading
 from synthetic.media import MEDIA, Style
 from synthetic.negatives import NEGATIVES
+from synthetic.nuisances import NUISANCES
+from synthetic.other_solids import OTHER_SOLIDS
 from synthetic.papers import CAPTURES, Image, ink_on, mapped, paper, to_pixels
-from synthetic.pens import coverage
+from synthetic.pens import Pen, coverage
 from synthetic.recipes import RECIPES, Recipe, annotated
 from synthetic.scenes import Scene, scene
+from synthetic.sheets import SHEETS
+
+SCORED_LIKE = {
+    "gappy": "annotated",
+    "thick": "marker",
+    "sloppy": "handheavy",
+    "pressed": "noisy",
+    "shade": "noisy",
+}
+"""Medium that the measures know, for those that they do not."""
+
+SUBJECTS = NEGATIVES | FLAT | SHEETS | OTHER_SOLIDS
+"""What is drawn where no object is, by name."""
 
 
 @dataclass(frozen=True)
@@ -30,16 +48,20 @@ class Drawing:
     pixels : (h, w, 3) uint8 RGB, or (h, w, 4) RGBA on a transparent ground
     truth  : JSON-ready: f1, f2, holes, lines, projection, solid, ...; a sheet has `objects`
     suffix : file format that suits the medium
+    quality: of a JPEG, 0 to 100
     """
 
     pixels: NDArray[np.uint8]
     truth: dict[str, Any]
     suffix: str
+    quality: int = 82
 
     def encoded(self) -> bytes:
         """The picture file."""
         order = cv2.COLOR_RGBA2BGRA if self.pixels.shape[2] == 4 else cv2.COLOR_RGB2BGR
-        options = [cv2.IMWRITE_JPEG_QUALITY, 82] if self.suffix == ".jpg" else [cv2.IMWRITE_PNG_COMPRESSION, 9]
+        options = (
+            [cv2.IMWRITE_JPEG_QUALITY, self.quality] if self.suffix == ".jpg" else [cv2.IMWRITE_PNG_COMPRESSION, 9]
+        )
         return bytes(cv2.imencode(self.suffix, cv2.cvtColor(self.pixels, order), options)[1])
 
     def save(self, folder: Path) -> Path:
@@ -61,37 +83,67 @@ def draw(category: str, seed: int, index: int, *, shapes: str | None = None) -> 
     style = MEDIA[medium](rng)
     facts = {"medium": _scored_medium(medium, recipe), "category": category, "id": f"{category}/{index:03d}"}
     if recipe.objects == (0, 0):
-        return _negative(style, index, facts, rng)
+        return _negative(recipe.subjects or tuple(NEGATIVES), style, index, facts, rng)
     if recipe.objects != (1, 1):
         return _sheet(recipe, style, facts, rng)
     return _single(recipe, style, facts, rng)
 
 
 def _scored_medium(medium: str, recipe: Recipe) -> str:
-    return "annotated" if recipe.marks and medium == "clean" else medium
+    """The medium by whose tolerance an answer is scored."""
+    if (recipe.marks or recipe.nuisances) and medium == "clean":
+        return "annotated"
+    return SCORED_LIKE.get(medium, medium)
 
 
 def _single(recipe: Recipe, style: Style, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
     style = _roomy(style, recipe)
-    made = scene(recipe.wish, style.size, style.pen.width, rng, 0.58 if annotated(recipe) else 0.84)
+    made = scene(recipe.wish, style.size, style.pen.width, rng, _share_of_sheet(recipe, rng))
     points = moved_vertices(made, style.hand, rng)
     lines = recipe.wish.lines
     ink = style.pen.alpha * coverage(strokes_of(made, points, lines, style.hand, rng), style.pen, style.size, rng)
     for name in _chosen(recipe.marks, rng):
         ink = np.maximum(ink, MARKS[name](made, points, style.size, style.pen, rng))
+    layers = _layers(recipe, Drawn(made, points, lines, style.size, style.pen, style.hand, style.ground), rng)
     sheet = paper(style.pattern, style.size, style.ground, rng)
     if "shading" in recipe.marks:
         red, green, blue = (int(v) for v in rng.integers(40, 200, 3))
         tint = (red, green, blue) if rng.random() < 0.5 else (60, 60, 60)
         sheet = ink_on(sheet, shading(made, points, style.size, lines, rng), tint)
-    image = ink_on(sheet, ink, style.pen.colour)
+    sheet = _laid(sheet, [layer for layer in layers if layer.under], style.pen)
+    image = sheet if "bare" in recipe.nuisances else ink_on(sheet, ink, style.pen.colour)
+    image = _laid(image, [layer for layer in layers if not layer.under], style.pen)
     truth = made.truth(lines, points) | facts
     if "cut" in recipe.marks:
         image, truth = _cut(image, truth, style, rng)
+    if recipe.crop:
+        image, truth = _cropped(image, truth, window(made, points, lines, style.size, rng))
     if style.clear:
         colour = np.full((*ink.shape, 3), style.pen.colour, np.float32)
         image = np.dstack([colour, ink * 255])
     return _captured(image, truth, style, rng)
+
+
+def _share_of_sheet(recipe: Recipe, rng: np.random.Generator) -> float:
+    """Part of the sheet that the object may fill."""
+    if recipe.nuisances:
+        return float(rng.uniform(0.5, 0.75))
+    return 0.58 if annotated(recipe) else 0.84
+
+
+def _layers(recipe: Recipe, drawn: Drawn, rng: np.random.Generator) -> list[Layer]:
+    """What lies on and around the object: of several nuisances two or three."""
+    names = list(recipe.nuisances)
+    if len(names) > 1:
+        names = [str(n) for n in rng.choice(names, int(rng.integers(2, 4)), replace=False)]
+    return [layer for name in names for layer in NUISANCES[name](drawn, rng)]
+
+
+def _laid(image: Image, layers: list[Layer], pen: Pen) -> Image:
+    """The picture with the layers laid over it in turn."""
+    for layer in layers:
+        image = ink_on(image, layer.ink * np.float32(pen.alpha), layer.colour or pen.colour)
+    return image
 
 
 def _roomy(style: Style, recipe: Recipe) -> Style:
@@ -118,6 +170,12 @@ def _cut(image: Image, truth: dict[str, Any], style: Style, rng: np.random.Gener
     keep = rng.integers(0, 2, 4)
     x0, y0 = int(low[0] * keep[0]), int(low[1] * keep[1])
     x1, y1 = (int(high[k]) if keep[2 + k] else style.size[k] for k in (0, 1))
+    return _cropped(image, truth, (x0, y0, x1, y1))
+
+
+def _cropped(image: Image, truth: dict[str, Any], kept: Window) -> tuple[Image, dict[str, Any]]:
+    """What lies in the window."""
+    x0, y0, x1, y1 = kept
     return image[y0:y1, x0:x1], _moved(truth, np.array([[1, 0, -x0], [0, 1, -y0], [0, 0, 1.0]]))
 
 
@@ -143,9 +201,11 @@ def _shifted(made: Scene, offset: Floats) -> Scene:
     return replace(made, points=made.points + offset)
 
 
-def _negative(style: Style, index: int, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
-    name = list(NEGATIVES)[index % len(NEGATIVES)]
-    ink = style.pen.alpha * NEGATIVES[name](style.size, style.pen, style.hand, rng)
+def _negative(
+    subjects: tuple[str, ...], style: Style, index: int, facts: dict[str, Any], rng: np.random.Generator
+) -> Drawing:
+    name = subjects[index % len(subjects)]
+    ink = style.pen.alpha * SUBJECTS[name](style.size, style.pen, style.hand, rng)
     image = ink_on(paper(style.pattern, style.size, style.ground, rng), ink, style.pen.colour)
     truth = {"objects": [], "profile": name, "lines": "none", "projection": {"family": "none"}} | facts
     return _captured(image, truth, style, rng)
@@ -157,8 +217,8 @@ def _captured(image: Image, truth: dict[str, Any], style: Style, rng: np.random.
     size = {"width": int(pixels.shape[1]), "height": int(pixels.shape[0])}
     if "objects" in truth:
         objects = [_moved(o, homography) | size for o in truth["objects"]]
-        return Drawing(pixels, truth | {"objects": objects} | size, style.suffix)
-    return Drawing(pixels, _moved(truth, homography) | size, style.suffix)
+        return Drawing(pixels, truth | {"objects": objects} | size, style.suffix, style.quality)
+    return Drawing(pixels, _moved(truth, homography) | size, style.suffix, style.quality)
 
 
 def _moved(truth: dict[str, Any], homography: Floats) -> dict[str, Any]:

@@ -24,6 +24,7 @@ class Hand:
     twice    : probability that a stroke is drawn twice
     rounding : radius by which the corners of the faces are rounded off
     blobs    : probability that the pen rests at a stroke's end and leaves a blot
+    short    : every stroke stops this far from each of its corners, more or less, but never loses most of its length
     """
 
     wobble: float = 0.0
@@ -35,10 +36,13 @@ class Hand:
     twice: float = 0.0
     rounding: float = 0.0
     blobs: float = 0.0
+    short: float = 0.0
 
     def scaled(self, factor: float) -> Hand:
         """The same hand on a sheet `factor` times as large."""
-        lengths = {k: factor * getattr(self, k) for k in ("wobble", "over", "gap", "miss", "shift", "rounding")}
+        lengths = {
+            k: factor * getattr(self, k) for k in ("wobble", "over", "gap", "miss", "shift", "rounding", "short")
+        }
         return replace(self, **lengths)
 
 
@@ -46,6 +50,7 @@ RULER = Hand()
 STEADY = Hand(wobble=0.7, bow=0.006, over=2.0, gap=1.0, miss=0.6, shift=0.8)
 LOOSE = Hand(wobble=1.3, bow=0.012, over=5.0, gap=3.0, miss=1.4, shift=2.0, twice=0.2)
 TABLET = Hand(wobble=1.2, bow=0.03, over=6.0, gap=5.0, miss=3.0, shift=4.0, twice=0.05, blobs=0.25)
+SLOPPY = Hand(wobble=2.2, bow=0.03, over=11.0, gap=7.0, miss=5.0, shift=7.0, twice=0.15, blobs=0.1)
 HEAVY = Hand(wobble=3.0, bow=0.02, over=7.0, gap=4.0, miss=2.2, shift=3.0, twice=0.25)
 
 
@@ -83,6 +88,8 @@ def strokes_of(scene: Scene, points: Floats, lines: str, hand: Hand, rng: np.ran
                 pieces += [(t0, t1, True) for t0, t1 in _hidden(seen)]
         for t0, t1, hidden in pieces:
             p, q = points[a] + t0 * (points[b] - points[a]), points[a] + t1 * (points[b] - points[a])
+            if hand.short:
+                p, q = _stopped_short(p, q, hand.short, rng)
             if rounded and (a < scene.half) == (b < scene.half):
                 p, q = _shortened(p, q, rounded)
             strokes += _pulls(p, q, hidden, hand, rng)
@@ -137,6 +144,13 @@ def _wavy(p: Floats, q: Floats, hand: Hand, rng: np.random.Generator) -> Floats:
 def _hidden(seen: list[tuple[float, float]]) -> list[tuple[float, float]]:
     ends = [0.0, *[t for s in seen for t in s], 1.0]
     return [(a, b) for a, b in zip(ends[::2], ends[1::2], strict=True) if b - a > 1e-6]
+
+
+def _stopped_short(p: Floats, q: Floats, short: float, rng: np.random.Generator) -> tuple[Floats, Floats]:
+    """The stroke without about `short` pixels at each end, at most three tenths of it."""
+    length = float(np.linalg.norm(q - p))
+    cut = np.minimum(short * rng.uniform(0.85, 1.15, 2), 0.3 * length) / max(length, 1e-9)
+    return p + cut[0] * (q - p), q - cut[1] * (q - p)
 
 
 def _shortened(p: Floats, q: Floats, radius: float) -> tuple[Floats, Floats]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from synthetic.hand import HEAVY, LOOSE, RULER, STEADY, TABLET, Hand
+from synthetic.hand import HEAVY, LOOSE, RULER, SLOPPY, STEADY, TABLET, Hand
 from synthetic.pens import Pen
 
 RGB = tuple[int, int, int]
@@ -25,6 +25,7 @@ class Style:
     pattern : name in `papers.PATTERNS`
     capture : name in `papers.CAPTURES`
     suffix  : file format, ".png" or ".jpg"
+    quality : of a JPEG, 0 to 100
     clear   : ink only, on a transparent ground (PNG with alpha)
     """
 
@@ -35,6 +36,7 @@ class Style:
     pattern: str = "blank"
     capture: str = "direct"
     suffix: str = ".png"
+    quality: int = 82
     clear: bool = False
 
 
@@ -185,6 +187,49 @@ def _faint(rng: np.random.Generator) -> Style:
     return Style(pen=pen)
 
 
+def _gappy(rng: np.random.Generator) -> Style:
+    """Strokes end so far before the corners that one to five pen widths of paper show."""
+    width = float(rng.uniform(1.6, 3.4))
+    hand = RULER if rng.random() < 0.6 else Hand(wobble=0.6, bow=0.005)
+    return Style(pen=Pen(width, dash=dash_of(rng)), hand=replace(hand, short=float(rng.uniform(1.5, 5.5)) * width))
+
+
+def _cad(rng: np.random.Generator) -> Style:
+    """What programs render small: thin, clean, black or grey on white, or light on dark."""
+    dark = rng.random() < 0.15
+    ink: RGB = (235, 235, 235) if dark else [(0, 0, 0), (60, 60, 60)][int(rng.integers(2))]
+    pen = Pen(float(rng.uniform(1.0, 1.5)), ink, dash=(0.8, 0.6))
+    return Style((256, 256), pen, ground=(25, 25, 30) if dark else WHITE)
+
+
+def _thick(rng: np.random.Generator) -> Style:
+    """A pen as broad as a twentieth of the object."""
+    ink: RGB = [(0, 0, 0), (30, 30, 30), (25, 50, 160)][int(rng.integers(3))]
+    pen = Pen(float(rng.uniform(11, 20)), ink, crisp=bool(rng.random() < 0.3), dash=(1.5, 1.4))
+    hand = RULER if rng.random() < 0.4 else STEADY.scaled(1.8)
+    return Style((720, 560), pen, hand)
+
+
+def _sloppy(rng: np.random.Generator) -> Style:
+    """In a hurry: vertices missed, strokes bowed, too long or too short."""
+    ink: RGB = [(15, 15, 15), (30, 45, 150), (70, 70, 75)][int(rng.integers(3))]
+    pen = Pen(float(rng.uniform(2.0, 5.0)), ink, uneven=0.2, dash=(1.8, 1.3))
+    return Style((760, 600), pen, SLOPPY.scaled(float(rng.uniform(0.6, 1.1))))
+
+
+def _pressed(rng: np.random.Generator) -> Style:
+    """JPEG of low quality, as chats and old web sites send pictures."""
+    quality = int(rng.integers(22, 55))
+    return Style(pen=Pen(float(rng.uniform(1.6, 3.2)), dash=dash_of(rng)), suffix=".jpg", quality=quality)
+
+
+def _shade(rng: np.random.Generator) -> Style:
+    """Evenly lit but for a light shade over a part of the sheet."""
+    hand = RULER if rng.random() < 0.5 else STEADY
+    pen = Pen(float(rng.uniform(1.8, 3.2)), (40, 40, 45), dash=dash_of(rng))
+    return Style((800, 600), pen, hand, (250, 249, 245), "blank", "shade", ".jpg")
+
+
 MEDIA: dict[str, Callable[[np.random.Generator], Style]] = {
     "clean": _clean,
     "thin": _thin,
@@ -212,4 +257,10 @@ MEDIA: dict[str, Callable[[np.random.Generator], Style]] = {
     "tablet": _tablet,
     "textbook": _textbook,
     "faint": _faint,
+    "gappy": _gappy,
+    "cad": _cad,
+    "thick": _thick,
+    "sloppy": _sloppy,
+    "pressed": _pressed,
+    "shade": _shade,
 }

@@ -22,15 +22,17 @@ WORDS = (
 )
 
 
-def _strokes(paths: list[Floats], size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+def strokes(paths: list[Floats], size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """Ink of polylines drawn by hand."""
     return coverage([Stroke(freehand(p, hand, rng)) for p in paths], pen, size, rng)
 
 
-def _closed(points: Floats) -> Floats:
+def closed(points: Floats) -> Floats:
+    """The ring with its first point again at the end."""
     return np.vstack([points, points[:1]])
 
 
-def _fit(points: Floats, size: Sheet, part: float, at: tuple[float, float] = (0.5, 0.5)) -> Floats:
+def fit(points: Floats, size: Sheet, part: float, at: tuple[float, float] = (0.5, 0.5)) -> Floats:
     """Points scaled to `part` of the sheet's shorter side about the relative place `at`."""
     fitted: Floats = unit_size(points) * part * min(size) + np.array(size) * at
     return fitted
@@ -60,15 +62,15 @@ def page_of_text(size: Sheet, _pen: Pen, _hand: Hand, rng: np.random.Generator) 
 def lone_polygon(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """One polygon."""
     name = str(rng.choice(["triangle", "box", "hexagon", "L", "star", "arrow", "simple", "stairs"]))
-    return _strokes([_closed(_fit(profile(name, rng), size, rng.uniform(0.4, 0.8)))], size, pen, hand, rng)
+    return strokes([closed(fit(profile(name, rng), size, rng.uniform(0.4, 0.8)))], size, pen, hand, rng)
 
 
 def two_polygons(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """Two polygons that have nothing to do with each other."""
     k = int(rng.integers(3, 6))
-    a = _fit(regular(k, rng.uniform(0, 6)), size, 0.35, (0.27, 0.5))
-    b = _fit(regular(k + 2, rng.uniform(0, 6)), size, 0.45, (0.72, 0.5))
-    return _strokes([_closed(a), _closed(b)], size, pen, hand, rng)
+    a = fit(regular(k, rng.uniform(0, 6)), size, 0.35, (0.27, 0.5))
+    b = fit(regular(k + 2, rng.uniform(0, 6)), size, 0.45, (0.72, 0.5))
+    return strokes([closed(a), closed(b)], size, pen, hand, rng)
 
 
 def scribble(size: Sheet, pen: Pen, _hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -81,7 +83,7 @@ def scribble(size: Sheet, pen: Pen, _hand: Hand, rng: np.random.Generator) -> Co
         )
         for _ in range(2)
     ]
-    path = _fit(np.c_[xy[0], xy[1]], size, 0.8)
+    path = fit(np.c_[xy[0], xy[1]], size, 0.8)
     return coverage([Stroke(path)], pen, size, rng)
 
 
@@ -90,7 +92,7 @@ def zigzag(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cover
     k = int(rng.integers(12, 40))
     x = np.linspace(0, 1, k) + rng.normal(0, 0.01, k)
     y = (np.arange(k) % 2) + rng.normal(0, 0.08, k)
-    return _strokes([_fit(np.c_[x, y * 0.6], size, 0.8)], size, pen, hand, rng)
+    return strokes([fit(np.c_[x, y * 0.6], size, 0.8)], size, pen, hand, rng)
 
 
 def circles(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -98,7 +100,7 @@ def circles(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cove
     paths = []
     for _ in range(int(rng.integers(1, 4))):
         ring = regular(90) * [1, rng.uniform(0.5, 1)]
-        paths.append(_closed(_fit(ring, size, rng.uniform(0.2, 0.6), (rng.uniform(0.3, 0.7), rng.uniform(0.35, 0.65)))))
+        paths.append(closed(fit(ring, size, rng.uniform(0.2, 0.6), (rng.uniform(0.3, 0.7), rng.uniform(0.35, 0.65)))))
     del hand
     return coverage([Stroke(p) for p in paths], pen, size, rng)
 
@@ -122,9 +124,9 @@ def pyramid(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cove
     k = int(rng.integers(3, 7))
     base = regular(k, rng.uniform(0, 2)) * [1, 0.4]
     apex = np.array([rng.uniform(-0.3, 0.3), -rng.uniform(1.2, 1.8)])
-    every = _fit(np.vstack([base, apex]), size, 0.7)
-    paths = [_closed(every[:k])] + [every[[i, k]] for i in range(k)]
-    return _strokes(paths, size, pen, hand, rng)
+    every = fit(np.vstack([base, apex]), size, 0.7)
+    paths = [closed(every[:k])] + [every[[i, k]] for i in range(k)]
+    return strokes(paths, size, pen, hand, rng)
 
 
 def noise(size: Sheet, _pen: Pen, _hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -152,14 +154,14 @@ def flowchart(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Co
         half = np.array([size[0] * 0.085, size[1] * rng.uniform(0.06, 0.1)])
         ring = middle + half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
         boxes.append((middle, half))
-        paths.append(_closed(ring))
+        paths.append(closed(ring))
         out = np.maximum(out, text(str(rng.choice(WORDS)), (middle[0], middle[1]), size[0] / 60, size, "print"))
     for (a, ha), (b, hb) in itertools.pairwise(boxes):
         u = (b - a) / np.linalg.norm(b - a)
         p, q = a + u * (1 / np.max(np.abs(u) / ha)), b - u * (1 / np.max(np.abs(u) / hb))
         side = np.array([-u[1], u[0]])
         paths += [np.array([p, q]), np.array([q - 9 * u + 5 * side, q, q - 9 * u - 5 * side])]
-    return np.maximum(out, _strokes(paths, size, pen, hand, rng))
+    return np.maximum(out, strokes(paths, size, pen, hand, rng))
 
 
 def graph(size: Sheet, pen: Pen, _hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -185,7 +187,7 @@ def arrows(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cover
         u = (q - p) / max(float(np.linalg.norm(q - p)), 1.0)
         side = np.array([-u[1], u[0]])
         paths += [np.array([p, q]), np.array([q - 14 * u + 8 * side, q, q - 14 * u - 8 * side])]
-    return _strokes(paths, size, pen, hand, rng)
+    return strokes(paths, size, pen, hand, rng)
 
 
 def network(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -194,7 +196,7 @@ def network(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cove
     at = rng.uniform(0.12, 0.88, (k, 2)) * size
     pairs = [(i, j) for i in range(k) for j in range(i)]
     chosen = rng.choice(len(pairs), min(len(pairs), k + 3), replace=False)
-    return _strokes([at[list(pairs[c])] for c in chosen], size, pen, hand, rng)
+    return strokes([at[list(pairs[c])] for c in chosen], size, pen, hand, rng)
 
 
 def table(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -202,7 +204,7 @@ def table(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Covera
     rows, columns = int(rng.integers(3, 7)), int(rng.integers(3, 6))
     ys, xs = np.linspace(0.2, 0.8, rows) * size[1], np.linspace(0.15, 0.85, columns) * size[0]
     paths = [np.array([[xs[0], y], [xs[-1], y]]) for y in ys] + [np.array([[x, ys[0]], [x, ys[-1]]]) for x in xs]
-    return _strokes(paths, size, pen, hand, rng)
+    return strokes(paths, size, pen, hand, rng)
 
 
 def crossing_lines(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -212,15 +214,15 @@ def crossing_lines(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) 
         middle = rng.uniform(0.35, 0.65, 2) * size
         reach = np.array([np.cos(turn), np.sin(turn)]) * min(size) * rng.uniform(0.3, 0.45)
         paths.append(np.array([middle - reach, middle + reach]))
-    return _strokes(paths, size, pen, hand, rng)
+    return strokes(paths, size, pen, hand, rng)
 
 
 def flat_figure(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """A polygon with its diagonals: plane geometry."""
-    ring = _fit(random_simple(rng) if rng.random() < 0.3 else regular(5, -np.pi / 2), size, 0.7)
+    ring = fit(random_simple(rng) if rng.random() < 0.3 else regular(5, -np.pi / 2), size, 0.7)
     n = len(ring)
-    paths = [_closed(ring)] + [ring[[i, (i + 2) % n]] for i in range(0, n, int(rng.integers(1, 3)))]
-    return _strokes(paths, size, pen, hand, rng)
+    paths = [closed(ring)] + [ring[[i, (i + 2) % n]] for i in range(0, n, int(rng.integers(1, 3)))]
+    return strokes(paths, size, pen, hand, rng)
 
 
 NEGATIVES: dict[str, Negative] = {

@@ -136,6 +136,15 @@ def _light(size: tuple[int, int], rng: np.random.Generator) -> Image:
     return np.asarray(np.clip(light, 0.2, 1.0), np.float32)
 
 
+def shade(image: Image, rng: np.random.Generator) -> tuple[Image, Floats]:
+    """A flat copy with light that falls off a little and perhaps a soft shadow; no tilt."""
+    h, w = image.shape[:2]
+    light = _light((w, h), rng)
+    light = 1 - float(rng.uniform(0.25, 0.6)) * (1 - light / light.max())
+    out = image * light[..., None] + np.asarray(rng.normal(0, rng.uniform(0.5, 2.5), image.shape), np.float32)
+    return np.asarray(out, np.float32), np.eye(3)
+
+
 def thumbnail(image: Image, rng: np.random.Generator) -> tuple[Image, Floats]:
     """The picture reduced to about 200 pixels and sharpened a little, as web sites do."""
     h, w = image.shape[:2]
@@ -163,6 +172,7 @@ CAPTURES: dict[str, Capture] = {
     "noisy": noisy,
     "scan": scan,
     "photo": photo,
+    "shade": shade,
     "thumbnail": thumbnail,
     "clipping": clipping,
 }

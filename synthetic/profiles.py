@@ -240,6 +240,21 @@ FAMILIES: dict[str, Family] = {
     "simple": random_simple,
 }
 
+
+def chamfered(points: Floats, sizes: tuple[float, float], rng: np.random.Generator) -> Floats:
+    """The ring with one to four corners cut off by small chamfers of a length within `sizes`."""
+    n, out = len(points), []
+    cut = set(rng.permutation(n)[: int(rng.integers(1, min(n, 4) + 1))].tolist())
+    for i, p in enumerate(points):
+        if i not in cut:
+            out.append(p)
+            continue
+        for q in (points[i - 1], points[(i + 1) % n]):
+            length = float(np.linalg.norm(q - p))
+            out.append(p + (q - p) * min(float(rng.uniform(*sizes)) / length, 0.35))
+    return np.array(out)
+
+
 CONVEX = (
     "square",
     "box",

@@ -10,9 +10,16 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from sketch2shape.model import Floats, ring_edges
-from synthetic.profiles import CONVEX, EVERYDAY, LARGE, profile, regular
+from synthetic.profiles import CONVEX, EVERYDAY, LARGE, chamfered, profile, regular
 from synthetic.projecting import View, axonometric, oblique, random_view
 from synthetic.visibility import Interval, seen_intervals
+
+FINE = (0.025, 0.06)
+"""Size of small chamfers, fraction of the profile's longer side."""
+FAR_APART = 8.0
+"""Distance of two vertices, pixels, above which nothing of a drawing is fine."""
+SHALLOW = (2.5, 7.0)
+"""Length at which a shallow object's depth is drawn, pen widths."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +32,9 @@ class Wish:
     taper   : back face smaller than the front face (or larger)
     holes   : number of through-holes at most (at least one if > 0)
     accident: name of an accidental alignment, see `ACCIDENTS`
+    shallow : the depth is drawn only a few pen widths long
+    fine    : small chamfers, whose ends lie a few pixels apart
+    room    : factor on the distances that details keep from each other
     """
 
     views: tuple[str, ...] = ("oblique", "axonometric")
@@ -33,6 +43,9 @@ class Wish:
     taper: bool = False
     holes: int = 0
     accident: str | None = None
+    shallow: bool = False
+    fine: bool = False
+    room: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -89,17 +102,19 @@ class Scene:
 def scene(wish: Wish, size: tuple[int, int], pen: float, rng: np.random.Generator, fill: float = 0.8) -> Scene:
     """A random object as wished, inside a sheet of `size` (w, h) pixels drawn with a pen `pen` pixels wide."""
     for attempt in range(4000):
-        made = _attempt(wish, size, rng, fill)
+        made = _attempt(wish, size, pen, rng, fill)
         # After many vain attempts (a 24-gon with a broad pen) details may come somewhat closer to each other.
-        slack = 1.0 if attempt < 400 else 0.6
+        slack = wish.room * (1.0 if attempt < 400 else 0.6)
         if made is not None and _drawable(made, wish, pen, slack):
             return made
     raise ValueError(f"no drawable object found for {wish} on {size} with a pen of {pen} px")
 
 
-def _attempt(wish: Wish, size: tuple[int, int], rng: np.random.Generator, fill: float) -> Scene | None:
+def _attempt(wish: Wish, size: tuple[int, int], pen: float, rng: np.random.Generator, fill: float) -> Scene | None:
     name = _pick(wish, rng)
     ring = profile(name, rng)
+    if wish.fine:
+        ring = chamfered(ring, FINE, rng)
     holes = _holes(ring, wish.holes, rng) if wish.holes else []
     if wish.holes and not holes:
         return None
@@ -110,6 +125,8 @@ def _attempt(wish: Wish, size: tuple[int, int], rng: np.random.Generator, fill: 
         if planned is None:
             return None
         name, ring, depth, view = planned[0] or name, planned[1], planned[2], planned[3]
+    if wish.shallow:
+        depth = _shallow(view, ring, size, fill) * pen * float(rng.uniform(*SHALLOW))
     scale = float(rng.uniform(0.4, 0.8)) if wish.taper else 1.0
     front = [ring, *holes]
     back = [r * scale for r in front]
@@ -117,6 +134,14 @@ def _attempt(wish: Wish, size: tuple[int, int], rng: np.random.Generator, fill: 
         front, back = back, front
     solid = np.vstack([np.c_[r, np.zeros(len(r))] for r in front] + [np.c_[r, np.full(len(r), depth)] for r in back])
     return _placed(name, solid, [len(r) for r in front], depth, view, size, rng, fill)
+
+
+def _shallow(view: View, ring: Floats, size: tuple[int, int], fill: float) -> float:
+    """Depth, in profile units, that is drawn about a pixel long where the front face fills the sheet."""
+    flat = view(np.c_[ring, np.zeros(len(ring))])[:, :2]
+    scale = float((np.array(size) * fill / np.ptp(flat, axis=0)).min())
+    back = view(np.c_[ring, np.full(len(ring), 0.1)])[:, :2]
+    return 0.1 / max(scale * float(np.linalg.norm(back - flat, axis=1).mean()), 1e-9)
 
 
 def _placed(
@@ -178,7 +203,7 @@ def _drawable(made: Scene, wish: Wish, pen: float, slack: float) -> bool:
     p, edges = made.points, ring_edges(made.sizes)
     short = max(3.2 * pen, 11.0) * slack
     length = np.linalg.norm(p[edges[:, 0]] - p[edges[:, 1]], axis=1)
-    if length.min() < short:
+    if length.min() < short or (wish.fine and length.min() > FAR_APART):
         return False
     if not wish.accident and not _apart(p, edges, max(2.2 * pen, 5.0) * slack, short):
         return False

@@ -50,11 +50,11 @@ def faces_of(projected: Floats, sizes: list[int]) -> list[Face]:
         for i in range(n):
             a, b = s + i, s + (i + 1) % n
             sides.append([np.array([a, b, b + half, a + half])])
-    found = [_face(projected, rings) for rings in caps + sides]
+    found = [face_of(projected, rings) for rings in caps + sides]
     return [f for f in found if f is not None]
 
 
-def _face(projected: Floats, rings: list[np.ndarray]) -> Face | None:
+def face_of(projected: Floats, rings: list[np.ndarray]) -> Face | None:
     """None for a face seen edge-on: it hides nothing."""
     points = projected[np.concatenate(rings)]
     centred = points[:, :2] - points[:, :2].mean(0)
@@ -68,10 +68,16 @@ def _face(projected: Floats, rings: list[np.ndarray]) -> Face | None:
 
 def seen_intervals(projected: Floats, sizes: list[int]) -> list[tuple[int, int, list[Interval]]]:
     """For each edge (a, b): the intervals of 0..1 from a to b (along the picture) that are not hidden."""
-    faces = faces_of(projected, sizes)
+    return seen_parts(projected, faces_of(projected, sizes), [(int(a), int(b)) for a, b in ring_edges(sizes)])
+
+
+def seen_parts(
+    projected: Floats, faces: list[Face], edges: list[tuple[int, int]]
+) -> list[tuple[int, int, list[Interval]]]:
+    """The same for any edges among any flat faces."""
     size = float(np.ptp(projected[:, :2], axis=0).max())
     depth = float(np.ptp(projected[:, 2])) or 1.0
-    return [(int(a), int(b), _seen(projected[a], projected[b], faces, size, depth)) for a, b in ring_edges(sizes)]
+    return [(a, b, _seen(projected[a], projected[b], faces, size, depth)) for a, b in edges]
 
 
 def _seen(a: Floats, b: Floats, faces: list[Face], size: float, depth: float) -> list[Interval]:

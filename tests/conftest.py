@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from synthetic.recipes import HARD
+
 #: how long an example takes says more about the machine than about the code
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
@@ -14,11 +16,11 @@ DRAWINGS = Path(__file__).parent.parent / "data" / "synthetic"
 
 
 def pytest_generate_tests(metafunc):
-    """Run a test that takes `drawing` once for each committed drawing: (picture's path, truth)."""
-    if "drawing" in metafunc.fixturenames:
-        files = sorted(DRAWINGS.glob("*/*.json"))
+    """Run a test that takes `drawing` or `hard_drawing` once for each committed one: (picture's path, truth)."""
+    for name in {"drawing", "hard_drawing"} & set(metafunc.fixturenames):
+        files = [f for f in sorted(DRAWINGS.glob("*/*.json")) if (f.parent.name in HARD) == (name == "hard_drawing")]
         pairs = [(next(p for p in f.parent.glob(f"{f.stem}.*") if p != f), json.loads(f.read_text())) for f in files]
-        metafunc.parametrize("drawing", pairs, ids=[t["id"] for _, t in pairs])
+        metafunc.parametrize(name, pairs, ids=[t["id"] for _, t in pairs])
 
 
 @pytest.fixture(scope="session")

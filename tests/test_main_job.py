@@ -9,6 +9,15 @@ from sketch2shape.errors import NoObjectError
 from sketch2shape.pipeline import reconstruct
 
 
+def test_hard_drawings_are_answered_with_a_good_mesh_or_refused(hard_drawing):
+    try:
+        result = reconstruct(hard_drawing[0])
+    except NoObjectError:
+        return
+    assert result.mesh.is_watertight
+    assert result.mesh.volume > 0
+
+
 def test_the_object_of_each_committed_drawing_is_found(drawing):
     path, truth = drawing
     if truth.get("objects") == []:

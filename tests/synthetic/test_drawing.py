@@ -73,7 +73,7 @@ def test_every_category_can_be_drawn_small_enough_to_score(category):
     for thing in truth.get("objects", [truth]):
         points = np.array(thing["f1"] + thing["f2"])
         inside = (points > -3) & (points < np.array([truth["width"], truth["height"]]) + 3)
-        assert inside.all()
+        assert inside.all() or category.startswith("cropped")
 
 
 @pytest.mark.parametrize("index", range(len(NEGATIVES)))
