@@ -8,13 +8,14 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from evaluation import metrics
 from evaluation.cases import ROOT, Case, case_of
 from evaluation.outcome import NAN, Outcome
 
 Reconstruct = Callable[[str], Any]
+Answer = TypeVar("Answer")
 
 
 def run(cases: Sequence[Case], jobs: int, seconds: float) -> list[Outcome]:
@@ -22,21 +23,35 @@ def run(cases: Sequence[Case], jobs: int, seconds: float) -> list[Outcome]:
 
     seconds : after which a case is given up
     """
+    answers = in_processes(measure, [(case,) for case in cases], jobs, seconds)
+    return [lost(c, a, seconds) if isinstance(a, Exception) else a for c, a in zip(cases, answers, strict=True)]
+
+
+def in_processes(
+    work: Callable[..., Answer], calls: Sequence[tuple[Any, ...]], jobs: int, seconds: float
+) -> list[Answer | Exception]:
+    """What `work` returns for each tuple of arguments, in order, or the error that ended its worker."""
     from pebble import ProcessPool
 
-    outcomes = []
+    out: list[Answer | Exception] = []
     # Not forked from this process, whose pool threads may hold a lock at that moment.
     context = multiprocessing.get_context("forkserver")
     with ProcessPool(max_workers=jobs, initializer=_warm_up, context=context) as pool:
-        results = pool.map(measure, cases, timeout=seconds, chunksize=1).result()
-        for number, case in enumerate(cases):
+        results = (
+            pool.map(work, *zip(*calls, strict=True), timeout=seconds, chunksize=1).result() if calls else iter(())
+        )
+        for number in range(len(calls)):
             try:
-                outcomes.append(next(results))
-            except Exception as error:  # whatever ended the worker is this case's outcome
-                outcomes.append(lost(case, error, seconds))
+                out.append(next(results))
+            except Exception as error:  # whatever ended the worker is this call's answer
+                out.append(error)
             if sys.stderr.isatty():
-                print(f"\r{number + 1} of {len(cases)}", end="", file=sys.stderr)
-    return outcomes
+                print(f"\r{number + 1} of {len(calls)}", end="", file=sys.stderr)
+    return out
+
+
+def _called(call: tuple[Callable[..., Answer], tuple[Any, ...]]) -> Answer:
+    return call[0](*call[1])
 
 
 def lost(case: Case, error: Exception, seconds: float) -> Outcome:
