@@ -37,9 +37,7 @@ def in_processes(
     # Not forked from this process, whose pool threads may hold a lock at that moment.
     context = multiprocessing.get_context("forkserver")
     with ProcessPool(max_workers=jobs, initializer=_warm_up, context=context) as pool:
-        results = (
-            pool.map(work, *zip(*calls, strict=True), timeout=seconds, chunksize=1).result() if calls else iter(())
-        )
+        results = pool.map(_called, [(work, call) for call in calls], timeout=seconds, chunksize=1).result()
         for number in range(len(calls)):
             try:
                 out.append(next(results))
