@@ -149,5 +149,6 @@ SETS: dict[str, DrawingSet] = {
     "real": DrawingSet("Real pictures (textbooks, pens and tablets, CAD, icons; not in this repository)", _bench),
     "real2": DrawingSet("More real pictures (also with auxiliary lines; not in this repository)", _bench),
     "refuse": DrawingSet("Real pictures of something else (not in this repository)", _without_truth),
+    "curved": DrawingSet("Independent drawings with arcs and apexes (not in this repository)", _bench),
     "abc": DrawingSet("CAD parts whose truth is a mesh (not in this repository)", _with_mesh, -2),
 }

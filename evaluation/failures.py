@@ -11,6 +11,7 @@ import numpy as np
 from PIL import Image as PilImage
 
 from evaluation import metrics
+from evaluation.curves import has_curves, ring_lines
 from evaluation.outcome import Outcome
 
 TILE, COLUMNS, ROWS = (300, 250), 5, 6
@@ -63,6 +64,11 @@ def tile(outcome: Outcome) -> np.ndarray[Any, Any]:
 def _draw(
     canvas: np.ndarray[Any, Any], thing: dict[str, Any], scale: float, colours: tuple[Any, Any], width: int
 ) -> None:
+    if has_curves(thing):
+        for line in ring_lines(thing):
+            path = np.round((line * scale + 3) * 16).astype(np.int32).reshape(-1, 1, 2)
+            cv2.polylines(canvas, [path], True, colours[0], width, cv2.LINE_AA, 4)
+        return
     vertices, edges = metrics.wireframe(thing)
     points = np.round((vertices * scale + 3) * 16).astype(int)
     half = len(vertices) // 2

@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from evaluation import metrics
+from evaluation import curves, metrics
 from evaluation.cases import ROOT, Case, case_of
 from evaluation.outcome import NAN, Outcome
 
@@ -95,6 +95,8 @@ def judged(outcome: Outcome, solids: list[Any]) -> Outcome:
     truth = outcome.case.truth
     if "mesh" in truth:
         return _by_mesh(outcome, solids)
+    if curves.has_curves(truth):
+        return _by_curves(outcome, solids)
     if truth.get("objects", ()) is None:
         refused = not outcome.answered
         return replace(outcome, right=refused or None, mesh=refused, solid=refused)
@@ -129,6 +131,20 @@ def _by_rings(outcome: Outcome, solids: list[Any]) -> Outcome:
         iou=iou,
         chamfer=chamfer,
     )
+
+
+def _by_curves(outcome: Outcome, solids: list[Any]) -> Outcome:
+    """The mesh of a curved solid has as many vertices as its tolerance asks for; its proportions are not measured."""
+    from sketch2shape.export import to_trimesh
+
+    verdict = curves.judge(outcome.case.truth, outcome.answers)
+    if not verdict.exact:
+        return replace(outcome, right=False, cause=outcome.message or verdict.cause)
+    body = to_trimesh(solids)
+    through = len(outcome.case.truth["holes"])
+    tight = body.is_watertight and body.is_winding_consistent and body.volume > 0
+    sound = bool(tight and body.euler_number == 2 - 2 * through)
+    return replace(outcome, right=True, vertex_error=verdict.error, mesh=sound, solid=sound)
 
 
 def _by_mesh(outcome: Outcome, solids: list[Any]) -> Outcome:

@@ -49,9 +49,19 @@ class Verdict:
 
 def wireframe(thing: Thing) -> tuple[Floats, Ints]:
     """(2m, 2) vertices f1, holes' f1, f2, holes' f2, and (3m, 2) edges into them."""
+    if len(thing["f1"]) != len(thing["f2"]):
+        return _pointed(thing)
     pairs = [thing, *(thing.get("holes") or [])]
     rings = [p["f1"] for p in pairs] + [p["f2"] for p in pairs]
     return np.array([v for r in rings for v in r], float).reshape(-1, 2), ring_edges([len(p["f1"]) for p in pairs])
+
+
+def _pointed(thing: Thing) -> tuple[Floats, Ints]:
+    """The same for a face and an apex: the ring, and its edges to the one vertex of f2."""
+    n = len(thing["f1"])
+    ring = np.arange(n)
+    edges = np.vstack([np.c_[ring, np.roll(ring, -1)], np.c_[ring, np.full(n, n)]])
+    return np.array([*thing["f1"], *thing["f2"][:1]], float).reshape(-1, 2), edges.astype(np.intp)
 
 
 def family(truth: Thing) -> str:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import collections
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from evaluation import metrics
 from evaluation.cases import BY_EYE, SETS
 from evaluation.confidence import confidence_tables, diagram
+from evaluation.curves import has_curves
 from evaluation.markdown import percent, table
 from evaluation.outcome import Outcome
 
@@ -21,7 +23,8 @@ Written by `scripts/evaluate.py`; do not edit. Made with
     {command}
 
 - **right**: every vertex matched one to one within tolerance and the edges identical, hidden ones included; a picture
-  without an object must be refused, a sheet of several must give each and no more. For `abc`: of the mesh's and the
+  without an object must be refused, a sheet of several must give each and no more. Of arcs and apexes: every ring's
+  line within tolerance, its sharp vertices, its number of arcs, the apex. For `abc`: of the mesh's and the
   true mesh's surface samples 99 % lie within 3 % of the object's size of each other, the areas differ by at most 4 %.
 - **even**, **odd**: the same for the drawings whose file name ends in an even or odd character (`abc`:
   by the one before). Numbers of the method
@@ -122,7 +125,7 @@ def field_table(outcomes: Sequence[Outcome]) -> str:
     """sAP, junctions, overlap of solids, one row for each set whose truth is vertices."""
     rows = []
     for name in sets_of(outcomes):
-        group = [o for o in outcomes if o.case.set == name and ("f1" in o.case.truth or o.case.truth.get("objects"))]
+        group = [o for o in outcomes if o.case.set == name and _of_vertices(o.case.truth)]
         if not group:
             continue
         pairs = [(o.case.truth, o.answers) for o in group]
@@ -140,6 +143,10 @@ def field_table(outcomes: Sequence[Outcome]) -> str:
         " drawing fixes; largest vertex error in pixels, median over right answers.\n"
     )
     return note + "\n" + table(head, rows)
+
+
+def _of_vertices(truth: dict[str, Any]) -> bool:
+    return ("f1" in truth or bool(truth.get("objects"))) and not has_curves(truth)
 
 
 def _median(values: Sequence[float], digits: int) -> str:

@@ -5,7 +5,8 @@
     python scripts/evaluate.py --page '' --raw A.json      to be compared with another run by compare_runs.py
 
 Sets: `committed` (data/synthetic), `fresh` (every category, drawn anew from --seed), and, where --bench exists,
-`drawings`, `hard`, `real`, `real2`, `refuse`, `abc`: independent drawings and real pictures outside this repository.
+`drawings`, `hard`, `real`, `real2`, `refuse`, `curved`, `abc`: independent drawings and real pictures that are not in
+this repository.
 """
 
 from __future__ import annotations

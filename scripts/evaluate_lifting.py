@@ -20,8 +20,8 @@ from typing import Any
 import manifold3d
 import numpy as np
 from repository import ROOT
-from sketch2shape.synthetic import metrics
 
+from evaluation import metrics
 from sketch2shape.lifting import choose_front, lift
 from sketch2shape.model.arrays import Floats, Ints
 from sketch2shape.model.drawing import FacePair, TwoFaceObject

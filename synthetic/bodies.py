@@ -70,6 +70,13 @@ def drawn_lines(body: Body, view: View) -> list[Line]:
     return [line for some in (rims, outlines) for hidden in (False, True) for line in _chains(projected, some, hidden)]
 
 
+def silhouettes(body: Body, view: View) -> list[Edge]:
+    """The smooth edges that are the outline in this view: one of their two faces is turned to the viewer."""
+    projected = view(body.vertices)
+    facing = [_faces_viewer(projected, rings[0]) for rings in body.faces]
+    return [e for e, beside in body.edges().items() if e in body.smooth and len({facing[k] for k in beside}) == 2]
+
+
 def _faces_viewer(projected: Floats, ring: Ring) -> bool:
     """Whether a face turns its outside to the viewer; rings turn one way seen from outside."""
     x, y = projected[list(ring), :2].T

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from sketch2shape.model import Floats
 from synthetic.cropping import Window, window
+from synthetic.exercise import exercise
 from synthetic.flat import FLAT
-from synthetic.hand import moved_vertices, strokes_of
+from synthetic.hand import moved_vertices, pulled, strokes_of
 from synthetic.layers import Drawn, Layer
 from synthetic.marks import MARKS, shading
 from synthetic.media import MEDIA, Style
@@ -27,6 +28,9 @@ from synthetic.pens import Pen, coverage
 from synthetic.recipes import RECIPES, Recipe, annotated
 from synthetic.scenes import Scene, scene
 from synthetic.sheets import SHEETS
+from synthetic.turned_scenes import moved_arc, turned_scene, turned_truth
+
+FACES = ("f1", "f2")
 
 SCORED_LIKE = {
     "gappy": "annotated",
@@ -84,6 +88,8 @@ def draw(category: str, seed: int, index: int, *, shapes: str | None = None) -> 
     facts = {"medium": _scored_medium(medium, recipe), "category": category, "id": f"{category}/{index:03d}"}
     if recipe.objects == (0, 0):
         return _negative(recipe.subjects or tuple(NEGATIVES), style, index, facts, rng)
+    if recipe.curved:
+        return _curved(recipe, style, index, facts, rng)
     if recipe.objects != (1, 1):
         return _sheet(recipe, style, facts, rng)
     return _single(recipe, style, facts, rng)
@@ -122,6 +128,20 @@ def _single(recipe: Recipe, style: Style, facts: dict[str, Any], rng: np.random.
         colour = np.full((*ink.shape, 3), style.pen.colour, np.float32)
         image = np.dstack([colour, ink * 255])
     return _captured(image, truth, style, rng)
+
+
+def _curved(recipe: Recipe, style: Style, index: int, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
+    """An object with arcs or an apex; its hand wanders, but its corners stay where they are."""
+    kind, lines = recipe.curved[index % len(recipe.curved)], recipe.wish.lines
+    fill = 0.6 if recipe.marks else 0.84
+    made = turned_scene(kind, recipe.wish.views, style.size, style.pen.width, rng, fill)
+    shown = [line for line in made.lines if not line.hidden or lines != "removed"]
+    strokes = [s for line in shown for s in pulled(line.path, line.hidden and lines == "dashed", style.hand, rng)]
+    ink = style.pen.alpha * coverage(strokes, style.pen, style.size, rng)
+    if recipe.marks:
+        ink = np.maximum(ink, exercise(made, style.size, style.pen, style.hand, rng))
+    image = ink_on(paper(style.pattern, style.size, style.ground, rng), ink, style.pen.colour)
+    return _captured(image, turned_truth(made, lines) | facts, style, rng)
 
 
 def _share_of_sheet(recipe: Recipe, rng: np.random.Generator) -> float:
@@ -223,6 +243,10 @@ def _captured(image: Image, truth: dict[str, Any], style: Style, rng: np.random.
 
 def _moved(truth: dict[str, Any], homography: Floats) -> dict[str, Any]:
     def rings(pair: dict[str, Any]) -> dict[str, Any]:
-        return {k: np.round(mapped(np.array(pair[k]), homography), 3).tolist() for k in ("f1", "f2")}
+        return {k: np.round(mapped(np.array(pair[k], float).reshape(-1, 2), homography), 3).tolist() for k in FACES}
 
-    return truth | rings(truth) | {"holes": [rings(h) for h in truth["holes"]]}
+    moved = truth | rings(truth) | {"holes": [rings(h) for h in truth["holes"]]}
+    if "arcs" in truth:
+        moved["arcs"] = [moved_arc(a, homography) for a in truth["arcs"]]
+        moved["silhouettes"] = [np.round(mapped(np.array(s), homography), 3).tolist() for s in truth["silhouettes"]]
+    return moved

@@ -103,6 +103,32 @@ def freehand(path: Floats, hand: Hand, rng: np.random.Generator) -> Floats:
     return np.vstack(pieces)
 
 
+def wandering(path: Floats, hand: Hand, rng: np.random.Generator) -> Floats:
+    """A curve as the hand draws it in one pull: it wanders off and back over long stretches, (k, 2)."""
+    if len(path) == 2 or hand.wobble == 0:
+        return freehand(path, hand, rng)
+    steps = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
+    s = np.linspace(0, steps[-1], max(int(steps[-1] / 4), 12))
+    fine = np.c_[np.interp(s, steps, path[:, 0]), np.interp(s, steps, path[:, 1])]
+    ahead = np.gradient(fine, axis=0)
+    normal = np.c_[-ahead[:, 1], ahead[:, 0]] / np.maximum(np.linalg.norm(ahead, axis=1), 1e-9)[:, None]
+    side = np.zeros(len(s))
+    for wave in (1.3, 2.6, 4.1):
+        turns = wave * max(steps[-1] / 250, 0.6)
+        side += rng.normal(0, hand.wobble) / wave**0.5 * np.sin(2 * np.pi * (turns * s / steps[-1] + rng.random()))
+    wandered: Floats = fine + side[:, None] * normal
+    return wandered
+
+
+def pulled(path: Floats, hidden: bool, hand: Hand, rng: np.random.Generator) -> list[Stroke]:
+    """Strokes of one line, straight or curved, with the gaps and repeats of the hand."""
+    if len(path) == 2:
+        p, q = _stopped_short(path[0], path[1], hand.short, rng) if hand.short else path
+        return _pulls(p, q, hidden, hand, rng)
+    times = 2 if not hidden and rng.random() < hand.twice else 1
+    return [Stroke(wandering(path, hand, rng), hidden, float(rng.uniform(0.9, 1.1))) for _ in range(times)]
+
+
 def _pulls(p: Floats, q: Floats, hidden: bool, hand: Hand, rng: np.random.Generator) -> list[Stroke]:
     times = 2 if rng.random() < hand.twice else 1
     if hidden:

@@ -8,7 +8,7 @@ import numpy as np
 
 from sketch2shape.model import Floats
 from synthetic.bodies import Body, Line, convex, cubes, drawn_lines, turned
-from synthetic.hand import Hand, Stroke, freehand
+from synthetic.hand import Hand, Stroke, wandering
 from synthetic.negatives import Negative, Sheet
 from synthetic.pens import Coverage, Pen, coverage
 from synthetic.profiles import regular
@@ -27,7 +27,7 @@ def drawn(lines: list[Line], size: Sheet, pen: Pen, hand: Hand, rng: np.random.G
     room = (np.array(size) - scale * (high - low)) / 2
     shift = np.array(size) / 2 - scale * (low + high) / 2 + rng.uniform(-0.5, 0.5, 2) * room
     strokes = [
-        Stroke(freehand(scale * line.path + shift, hand, rng), line.hidden and style == "dashed")
+        Stroke(wandering(scale * line.path + shift, hand, rng), line.hidden and style == "dashed")
         for line in lines
         if not line.hidden or style != "removed"
     ]

@@ -73,6 +73,18 @@ def axonometric(kind: str, azimuth: float, elevation: float, lying: bool = False
     return View(m, facts)
 
 
+def upright(kind: str, azimuth: float, elevation: float) -> View:
+    """Parallel view of an object that stands: the front face on top seen from above, or below seen from below."""
+    m = np.eye(4)
+    m[:3, :3] = turn_x(elevation) @ turn_y(azimuth) @ turn_x(-np.copysign(np.pi / 2, elevation))
+    facts = {
+        "azimuth_deg": float(np.degrees(azimuth)),
+        "elevation_deg": float(np.degrees(elevation)),
+        "pose": "upright",
+    }
+    return View(m, {"family": "axonometric", "kind": kind} | facts)
+
+
 def perspective(kind: str, rotation: Floats, offset: Floats) -> View:
     """Pinhole view: solid turned by `rotation`, its centre at `offset` (x, y, z) before the camera, focal length 1."""
     m = np.zeros((4, 4))
@@ -88,9 +100,7 @@ def _pose(lying: bool, elevation: float) -> Floats:
 
 def random_view(family: str, rng: np.random.Generator) -> View:
     """A view of the family as people choose them: the usual angles often, free ones as well."""
-    return {"oblique": _random_oblique, "axonometric": _random_axonometric, "perspective": _random_perspective}[family](
-        rng
-    )
+    return VIEWS[family](rng)
 
 
 def _random_oblique(rng: np.random.Generator) -> View:
@@ -117,6 +127,12 @@ def _random_axonometric(rng: np.random.Generator) -> View:
     return axonometric(kind, side * azimuth, elevation, bool(rng.random() < 0.35))
 
 
+def _random_upright(rng: np.random.Generator) -> View:
+    """Any side to the front, from above as a rule."""
+    elevation = float(np.radians(rng.uniform(14, 45))) * (-1 if rng.random() < 0.1 else 1)
+    return upright("trimetric", float(rng.uniform(-np.pi, np.pi)), elevation)
+
+
 def _random_perspective(rng: np.random.Generator) -> View:
     kind = str(rng.choice(["one-point", "two-point", "three-point"]))
     distance, side = rng.uniform(2.4, 4.5), float(rng.choice([-1, 1]))
@@ -129,3 +145,11 @@ def _random_perspective(rng: np.random.Generator) -> View:
     elevation = np.radians(rng.uniform(18, 40)) * (-1 if rng.random() < 0.15 else 1)
     pose = _pose(bool(rng.random() < 0.35), elevation)
     return perspective(kind, turn_x(elevation) @ azimuth @ pose, np.array([0.0, 0.0, distance]))
+
+
+VIEWS = {
+    "oblique": _random_oblique,
+    "axonometric": _random_axonometric,
+    "upright": _random_upright,
+    "perspective": _random_perspective,
+}

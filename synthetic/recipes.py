@@ -17,6 +17,7 @@ class Recipe:
     objects : objects on the sheet (least, most); (0, 0) is a negative
     nuisances: names in `nuisances.NUISANCES`; of several, each drawing has two or three
     crop    : a corner or an edge is cut off by the border
+    curved  : kinds in `turned_scenes.KINDS`, taken in turn; () for prisms
     subjects: of a negative, names in `negatives.NEGATIVES` and the like, taken in turn; () for all of `NEGATIVES`
     """
 
@@ -26,11 +27,13 @@ class Recipe:
     objects: tuple[int, int] = (1, 1)
     nuisances: tuple[str, ...] = ()
     crop: bool = False
+    curved: tuple[str, ...] = ()
     subjects: tuple[str, ...] = ()
 
 
 OBLIQUE, AXONO, PERSP = ("oblique",), ("axonometric",), ("perspective",)
 PARALLEL = ("oblique", "axonometric")
+UPRIGHT = ("upright", "upright", "axonometric", "oblique")
 ALL = ("oblique", "axonometric", "perspective")
 LABELS = ("letters", "dimensions", "front", "right_angles", "ticks", "caption")
 
@@ -100,6 +103,29 @@ def _missing_ink() -> dict[str, Recipe]:
     return out
 
 
+def _curved_and_pointed() -> dict[str, Recipe]:
+    """Arcs in the profile, round holes, cones, pyramids: each kind in each style, by ruler, by hand and annotated."""
+    kinds = {
+        **{"cylinder": ("cylinder",), "tube": ("tube",), "plate": ("plate",), "arcs": ("mixed",)},
+        **{"cone": ("cone",), "frustum": ("frustum",), "pyramid": ("pyramid",)},
+    }
+    media = ("clean", "clean", "hand", "thin", "blueprint", "jpeg", "pen", "photo")
+    out = {}
+    for name, chosen in kinds.items():
+        for lines in ("wire", "dashed", "removed"):
+            out[f"{name}_{lines}"] = Recipe(Wish(UPRIGHT, lines=lines), media, curved=chosen)
+    every = tuple(k for chosen in kinds.values() for k in chosen)
+    out["curved_annotated"] = Recipe(Wish(UPRIGHT, lines="dashed"), ("clean", "pen"), curved=every, marks=("exercise",))
+    out["curved_sketch"] = Recipe(Wish(UPRIGHT, lines="dashed"), ("pencil", "sloppy", "pen", "scan"), curved=every)
+    return out
+
+
+def _upright() -> dict[str, Recipe]:
+    """Prisms that stand on a face, seen from above."""
+    media = ("clean", "hand", "clean", "pencil", "photo")
+    return {f"upright_{k}": Recipe(Wish(("upright",), lines=k), media) for k in ("wire", "dashed", "removed")}
+
+
 def _no_objects() -> dict[str, Recipe]:
     """Flat figures, sheets of views, nets, tables, text, and solids of other kinds."""
     media = ("clean", "hand", "clean", "scan", "pen", "thin", "photo", "clean", "pencil", "jpeg")
@@ -162,10 +188,12 @@ RECIPES: dict[str, Recipe] = {
     "negative": Recipe(media=("clean", "hand", "photo", "clean", "pencil", "thin"), objects=(0, 0)),
     **_foreign_ink(),
     **_missing_ink(),
+    **_upright(),
+    **_curved_and_pointed(),
     **_no_objects(),
 }
 
-HARD = frozenset([*_foreign_ink(), *_missing_ink(), *_no_objects()])
+HARD = frozenset([*_foreign_ink(), *_missing_ink(), *_upright(), *_curved_and_pointed(), *_no_objects()])
 """Categories that are not read without fault yet: the tests ask of them that nothing breaks, not that all is right."""
 
 

@@ -77,7 +77,15 @@ def seen_parts(
     """The same for any edges among any flat faces."""
     size = float(np.ptp(projected[:, :2], axis=0).max())
     depth = float(np.ptp(projected[:, 2])) or 1.0
-    return [(a, b, _seen(projected[a], projected[b], faces, size, depth)) for a, b in edges]
+    low = np.array([np.min([r.min(0) for r in f.rings], axis=0) for f in faces]).reshape(-1, 2)
+    high = np.array([np.max([r.max(0) for r in f.rings], axis=0) for f in faces]).reshape(-1, 2)
+    out = []
+    for a, b in edges:
+        ends = projected[[a, b], :2]
+        # A face whose box the edge does not reach neither cuts nor hides it.
+        near = np.flatnonzero((low <= ends.max(0)).all(1) & (high >= ends.min(0)).all(1))
+        out.append((a, b, _seen(projected[a], projected[b], [faces[k] for k in near], size, depth)))
+    return out
 
 
 def _seen(a: Floats, b: Floats, faces: list[Face], size: float, depth: float) -> list[Interval]:

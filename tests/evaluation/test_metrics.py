@@ -25,6 +25,13 @@ def test_the_truth_itself_is_exact():
     assert (verdict.match == np.arange(8)).all()
 
 
+def test_a_pyramid_is_no_box():
+    pyramid = answer(f2=[[200, 20]])
+    vertices, edges = metrics.wireframe(pyramid)
+    assert (vertices.shape, len(edges), edges.max()) == ((5, 2), 8, 4)
+    assert not metrics.judge(BOX, [pyramid]).exact
+
+
 def test_other_order_and_swapped_faces_are_exact_too():
     turned = answer(f1=BOX["f2"][::-1], f2=BOX["f1"][::-1])
     assert metrics.judge(BOX, [turned]).exact

@@ -71,7 +71,7 @@ def test_every_category_can_be_drawn_small_enough_to_score(category):
     truth = draw(category, 11, 0).truth
     assert truth["category"] == category
     for thing in truth.get("objects", [truth]):
-        points = np.array(thing["f1"] + thing["f2"])
+        points = np.array(thing["f1"] + thing["f2"], float).reshape(-1, 2)
         inside = (points > -3) & (points < np.array([truth["width"], truth["height"]]) + 3)
         assert inside.all() or category.startswith("cropped")
 
