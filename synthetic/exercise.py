@@ -17,9 +17,8 @@ def exercise(made: Turned, size: tuple[int, int], pen: Pen, hand: Hand, rng: np.
     """The height or axis, a radius or diameter, centre marks and letters, some of them."""
     fine = replace(pen, width=max(pen.width * float(rng.uniform(0.5, 1.0)), 1.0), dash=pen.dash or (1.4, 1.0))
     ends = made.view(np.array([[0, 0, 0], [0, 0, made.depth]], float))[:, :2]
-    strokes, height = [], max(0.045 * float(np.linalg.norm(np.ptp(made.outlines.reshape(-1, 2), axis=0))), 11.0)
-    if not len(made.outlines):
-        height = 12.0
+    drawn = np.vstack([line.path for line in made.lines])
+    strokes, height = [], max(0.045 * float(np.linalg.norm(np.ptp(drawn, axis=0))), 11.0)
     letters: list[tuple[str, Floats]] = []
     if rng.random() < 0.75:
         beyond = float(rng.choice([0.0, 0.15])) * (ends[1] - ends[0])

@@ -71,6 +71,12 @@ def test_true_arcs_lie_on_their_ellipses_and_end_in_vertices(category):
     assert apex or len(truth["f1"]) == len(truth["f2"])
 
 
+@pytest.mark.parametrize("category", ["curved_annotated", "curved_sketch"])
+def test_every_kind_is_drawn_with_and_without_what_textbooks_add(category):
+    shapes = {draw(category, 9, index).truth["shape"].split()[-1] for index in range(len(RECIPES[category].curved))}
+    assert len(shapes) > 4
+
+
 @pytest.mark.parametrize("category", [c for c in CURVED if c.endswith("_wire")])
 def test_true_curves_and_outlines_have_ink_under_them(category):
     drawing = draw(category, 6, 0)
