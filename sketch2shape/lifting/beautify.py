@@ -6,6 +6,7 @@ move further than the drawing's own noise, less is asked for, and in the end not
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -16,14 +17,15 @@ from numpy.typing import NDArray
 
 from sketch2shape.lifting.classes import parallel_classes
 from sketch2shape.lifting.face import edge_vectors, ring_area, ring_ends
+from sketch2shape.lifting.mirror import find_mirror, mirror_rows
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.model import Bools, Floats, Ints
 
 #: a vertex may move this many standard deviations of the drawing's noise
-_REACH = 2.5
+_REACH = 3.5
 
 #: an angle or a length counts as nearly exact within this many of its standard deviations
-_NEAR = 2.5
+_NEAR = 3.5
 
 #: part of an edge, and of the area, that must be left
 _KEPT = 0.5
@@ -58,9 +60,9 @@ class _Edges:
     number: Ints
 
 
-def beautified(shape: Shape, noise: float) -> Shape:
-    """The shape with its face made regular; noise is the standard deviation of a drawn vertex, pixels."""
-    to_drawing = shape.to_drawing
+def beautified(shape: Shape) -> Shape:
+    """The shape with its face made regular."""
+    to_drawing, noise = shape.to_drawing, shape.noise
     reach = _REACH * noise
     for name, face in _candidates(shape, noise):
         moved = float(np.hypot(*((face - shape.flat) @ to_drawing).T).max())
@@ -84,11 +86,24 @@ def _candidates(shape: Shape, noise: float) -> Iterator[tuple[str, Floats]]:
     sizes = shape.sizes
     if len(sizes) == 1 and sizes[0] >= 3:
         yield "regular polygon", _regular_polygon(shape.flat)
+    mates = find_mirror(shape, noise)
+    if mates is not None:
+        # every vertex and its image tell of each other
+        even = replace(shape, flat=_nearest(shape, mirror_rows(shape.flat, mates)))
+        for name, face in _straight(even, math.sqrt(0.5) * noise, mates):
+            yield f"{name} and symmetry", face
+    yield from _straight(shape, noise, None)
+
+
+def _straight(shape: Shape, noise: float, mates: Ints | None) -> Iterator[tuple[str, Floats]]:
+    """Faces with exact directions and lengths, the most exact one first; mates: those of a mirror symmetry to keep."""
     edges = _sorted_edges(shape, noise)
     targets = _rounded(edges)
     level = _level(targets, edges) if np.array_equal(shape.pose, np.eye(3)) else targets
     for directions in [targets] if level is targets else [level, targets]:
         rows = _direction_rows(shape, edges, directions)
+        if mates is not None:
+            rows = np.concatenate([rows, mirror_rows(shape.flat, mates, directions[edges.label])])
         lengths = _length_rows(shape, edges, directions, noise)
         yield "directions and lengths", _nearest(shape, np.concatenate([rows, lengths]))
         yield "directions", _nearest(shape, rows)

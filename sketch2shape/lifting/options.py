@@ -32,6 +32,7 @@ class LiftOptions:
     up          : None keeps the viewer's axes (x right, y down, z away); "y" or "z" turns the object upright into its
                   own axes, with that axis upward
     necker      : take the mirrored reading, in which near and far are exchanged
+    reading     : 1 takes the likeliest reading, 2 the next best, ...
     beautify    : make nearly right angles, parallels, equal lengths and symmetry exact
 
     Raises UsageError for values that make no sense.
@@ -45,6 +46,7 @@ class LiftOptions:
     unit: Unit = "px"
     up: Literal["y", "z"] | None = None
     necker: bool = False
+    reading: int = 1
     beautify: bool = True
 
     def __post_init__(self) -> None:
@@ -54,6 +56,8 @@ class LiftOptions:
         _one_of("up", self.up, (None, "y", "z"))
         for name in ("depth", "width", "height"):
             length(getattr(self, name), "mm")
+        if self.reading < 1:
+            raise UsageError(f"there is no reading {self.reading}", remedy="1 for the likeliest, 2 for the next")
         ratio = self.depth_ratio
         if ratio is not None and not (math.isfinite(ratio) and 0.05 <= ratio <= 5.0):
             raise UsageError(f"depth ratio {ratio} is not between 0.05 and 5", remedy="0.5 (cabinet) or 1 (cavalier)")

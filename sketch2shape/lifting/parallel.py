@@ -6,6 +6,8 @@ across it, the true face is the drawn one stretched by 1 / cos(slant) along t, i
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from sketch2shape.lifting.face import edge_vectors
@@ -17,6 +19,14 @@ CABINET = 0.5
 
 #: the same of a cavalier drawing
 CAVALIER = 1.0
+
+#: log odds of a cavalier drawing against a cabinet one
+_CAVALIER = -1.1
+
+#: how likely the depth is as long as some edge, how far off such lengths are drawn, and the range of their logarithm
+_SAME, _SLOPPY, _RANGE = 0.4, 0.015, 3.0
+
+_ROOT_TWO_PI = math.sqrt(2.0 * math.pi)
 
 
 def axonometric_maps(slants: Floats, d: Floats) -> Floats:
@@ -42,25 +52,32 @@ def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -
     return Shape("axonometric", flat, pose, np.array([*middle, 0.0]), depth, stretch, sizes, evidence=evidence)
 
 
-def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float | None, noise: float) -> Shape:
+def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float, *, free: bool) -> Shape:
     """The face as drawn, with the depth that the ratio of drawn to true receding lengths gives.
 
-    ratio : None for `CABINET`, or 1 (cavalier) if the receding edges are drawn just as long as some edge of the face
-    noise : standard deviation of a drawn vertex, pixels
+    free : is the ratio only assumed?
     """
-    length = float(np.hypot(*d))
-    used = ratio or _likely_ratio(face, sizes, length, noise)
     evidence = {
-        "depth_ratio": used,
+        "depth_ratio": ratio,
         "receding_deg": round(float(np.rad2deg(np.arctan2(-d[1], d[0]))), 2),
     }
-    depth = length / used
-    return Shape(
-        "oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), sizes, free=ratio is None, evidence=evidence
-    )
+    depth = float(np.hypot(*d)) / ratio
+    return Shape("oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), sizes, free=free, evidence=evidence)
 
 
-def _likely_ratio(face: Floats, sizes: list[int], length: float, noise: float) -> float:
+def cavalier_odds(face: Floats, sizes: list[int], length: float, noise: float) -> float:
+    """Log odds of a cavalier against a cabinet drawing: which one makes the depth as long as edges of the face?
+
+    length : of the receding edges, pixels
+    noise  : standard deviation of a drawn vertex, pixels
+    """
     edges = np.hypot(*edge_vectors(face, sizes).T)
-    off_full, off_half = (float(np.abs(edges - times * length).min()) for times in (1.0, 2.0))
-    return CAVALIER if off_full < 2.0 * noise and off_half > 2.0 * noise else CABINET
+    full, half = (_alike(edges, times * length, noise) for times in (1.0, 2.0))
+    return _CAVALIER + full - half
+
+
+def _alike(edges: Floats, depth: float, noise: float) -> float:
+    """Log odds that a depth was meant to be as long as an edge."""
+    spread = np.hypot(_SLOPPY, noise / np.maximum(edges, 1e-9))
+    density = np.exp(-0.5 * (np.log(np.maximum(edges, 1e-9) / depth) / spread) ** 2) / (spread * _ROOT_TWO_PI)
+    return math.log(1.0 - _SAME + _SAME * _RANGE * float(density.mean()))

@@ -13,12 +13,14 @@ that faces the viewer (one-point drawing) shows its true face, and its focal len
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from sketch2shape.lifting.evidence import converging_odds, shaking
 from sketch2shape.lifting.projection import Drawing
-from sketch2shape.lifting.regularity import Relations, bearings, candidates, find_relations, score
+from sketch2shape.lifting.regularity import Relations, bearings, candidates, find_relations, score, uneven_odds
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.model import Floats
 
@@ -66,6 +68,7 @@ class Seen:
     shapes    : (g, m, 2) true face
     maps      : (g, 2, 2) linear part of drawing -> true face
     odds      : (g,) log odds, -inf where the camera sees no prism
+    usual     : (g,) how usual each camera is
     relations : what could be regular about the face
     """
 
@@ -73,12 +76,19 @@ class Seen:
     shapes: Floats
     maps: Floats
     odds: Floats
+    usual: Floats
     relations: Relations | None
 
     @property
     def best(self) -> int:
         """The likeliest."""
         return int(self.odds.argmax())
+
+    @property
+    def whole(self) -> float:
+        """Log odds of there being such a camera."""
+        top = float(self.odds.max())
+        return top + math.log(float(np.exp(self.odds - top).sum() / self.usual.sum()))
 
 
 def seen_by_cameras(drawing: Drawing) -> Seen:
@@ -131,25 +141,30 @@ def _seen(drawing: Drawing, focal: Floats, centre: Floats, relations: Relations 
 
     relations : what could be regular about its face, if that is known already
     """
-    first, noise = drawing.first, drawing.noise
+    first = drawing.first
     one, two = (_rays(face, focal, centre) for face in (first, drawing.second))
     cameras = _fit(one, two, focal, centre, drawing.relation.centre)
     shapes, maps = _true_faces(first, _front(one, two, cameras), cameras)
+    usual = np.exp(-0.5 * (np.log(focal / drawing.diagonal / USUAL_FOCAL) / _FOCAL_SPREAD) ** 2)
     possible = np.isfinite(cameras.rss) & np.isfinite(shapes).all(axis=(1, 2)) & (np.abs(cameras.depth) < _DEEPEST)
     if not possible.any():
-        return Seen(cameras, shapes, maps, np.full(len(focal), -np.inf), relations)
+        return Seen(cameras, shapes, maps, np.full(len(focal), -np.inf), usual, relations)
     shapes, maps = np.where(possible[:, None, None], shapes, 0.0), np.where(possible[:, None, None], maps, np.eye(2))
-    rss = np.where(possible, cameras.rss, np.inf)
+    rss = np.where(possible, 0.5 * cameras.rss, np.inf)
+    noise = shaking(float(rss.min()), 2 * len(first) - 4, drawing.noise)
     if relations is None:
         relations = find_relations(shapes[int(rss.argmin())], drawing.sizes, first, noise)
     found = candidates(relations, shapes, maps)
-    odds = score(relations, found, bearings(relations, found, noise), noise) - rss / (4.0 * noise**2)
-    odds -= 0.5 * (np.log(focal / drawing.diagonal / USUAL_FOCAL) / _FOCAL_SPREAD) ** 2
-    return Seen(cameras, shapes, maps, odds, relations)
+    odds = score(relations, found, bearings(relations, found, noise), noise) + np.log(usual)
+    odds += converging_odds(rss, drawing.relation, drawing.noise)
+    depth = np.abs(cameras.depth) / max(float(np.hypot(*drawing.relation.d)), 1e-9)
+    least, most = np.maximum(found.area / found.stretch, 1e-12), found.stretch
+    odds += uneven_odds(np.maximum(most, depth) / np.maximum(np.minimum(least, depth), 1e-12))
+    return Seen(cameras, shapes, maps, odds, usual, relations)
 
 
-def facing_shape(drawing: Drawing) -> Shape:
-    """A prism that faces the viewer: the face as drawn, the depth from an assumed focal length.
+def facing_shape(drawing: Drawing, face: Floats) -> Shape:
+    """A prism that faces the viewer: the face (m, 2) as drawn, the depth from an assumed focal length.
 
     The back face is drawn z1 / (z1 + depth) times as large as the front face, with z1 the focal length if the front
     face is to keep its size in pixels. Nothing in the drawing tells that focal length.
@@ -157,8 +172,6 @@ def facing_shape(drawing: Drawing) -> Shape:
     r = drawing.relation
     focal = USUAL_FOCAL * drawing.diagonal
     middle = r.shift / (1.0 - r.scale)
-    weight = r.scale**2 / (1.0 + r.scale**2) * drawing.known[:, None]
-    face = drawing.first + weight * ((drawing.second - r.shift) / r.scale - drawing.first)
     depth = focal * (1.0 / r.scale - 1.0)
     evidence = {"focal_px": round(focal, 1), "vanishing_point": [round(float(c), 1) for c in middle]}
     warning = (

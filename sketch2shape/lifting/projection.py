@@ -1,31 +1,20 @@
-"""Which projection a drawing uses, told from how its two faces are related; the simpler family unless the evidence is
-significant."""
+"""A two-face object made ready for lifting: its faces, how they are related, and how shaky its vertices are."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Literal
 
 import numpy as np
 
 from sketch2shape.lifting.face_relation import FaceRelation, relate_faces
 from sketch2shape.model import Bools, Floats, Ints, TwoFaceObject
 
-Kind = Literal["parallel", "scaled", "converging"]
-
 #: least standard deviation of a drawn vertex, pixels: nothing is known better than this
 _LEAST_NOISE = 0.3
 
-#: two faces closer to a translation than this part of the object's size are a translation, whatever their noise
-CONVERGENCE = 0.008
-
-#: how often shaking alone may pass for convergence
-_CHANCE = 0.01
-
-#: how many times its own residual a simpler family may miss before the wider one is taken
-_SIGNIFICANT = 2.0
-
+#: how much more a hand shakes its vertices than its lines shake about their own middles, which is what is told
+_UNSEEN = 1.5
 
 #: the vertices of a four-sided object, numbered f1 then f2, by its other two pairs of opposite sides
 _OTHER_PAIRS = (
@@ -91,7 +80,7 @@ def prepare(obj: TwoFaceObject) -> Drawing:
         second,
         [len(r.f1) for r in obj.rings],
         relation,
-        max(float(obj.noise), _LEAST_NOISE),
+        max(_UNSEEN * float(obj.noise), _LEAST_NOISE),
         max(diagonal, 1e-6),
         known,
         obj.lines != "wire",
@@ -128,38 +117,3 @@ def _rectified(points: Floats, page: Floats | None) -> Floats:
     scale = float(np.linalg.norm(np.ptp(points, axis=0))) / size
     placed: Floats = (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
     return placed
-
-
-def converges(drawing: Drawing, fit_rss: float) -> bool:
-    """Does perspective explain the drawing significantly better than a translation of the faces?
-
-    fit_rss : sum of squared residuals of the back face's vertices in the perspective fit, pixels^2
-
-    Two more numbers are fitted than in a parallel view. The F-test for them at one in a hundred has a closed form;
-    where the fit is better than the drawing's noise, the noise takes its place.
-    """
-    m = len(drawing.first)
-    freedom = max(2 * m - 4, 1)
-    parallel_rss = 2.0 * (2 * m - 2) * drawing.relation.translation_rms**2
-    variance = max(fit_rss / freedom, 2.0 * drawing.noise**2)
-    needed = 0.5 * freedom * (_CHANCE ** (-2.0 / freedom) - 1.0)
-    return bool((parallel_rss - fit_rss) / 2.0 > needed * variance)
-
-
-def kind_of(drawing: Drawing) -> tuple[Kind, dict[str, Any]]:
-    """Are the faces related by a translation, a homothety or a general homology; with the residuals as evidence."""
-    r = drawing.relation
-    allowed = max(_SIGNIFICANT * drawing.noise, CONVERGENCE * drawing.diagonal)
-    evidence = {
-        "translation_rms_px": round(r.translation_rms, 3),
-        "homothety_rms_px": round(r.homothety_rms, 3),
-        "face_scale": round(r.scale, 4),
-    }
-    if r.translation_rms <= allowed:
-        return "parallel", evidence
-    evidence["concurrence_rms_px"] = round(r.centre_rms, 3)
-    if r.translation_rms <= _SIGNIFICANT * min(r.homothety_rms, r.centre_rms):
-        return "parallel", evidence
-    if r.homothety_rms <= max(_SIGNIFICANT * drawing.noise, _SIGNIFICANT * r.centre_rms) and r.scale > 0:
-        return "scaled", evidence
-    return "converging", evidence

@@ -1,4 +1,4 @@
-"""Reading a parallel drawing of a prism: is it oblique or axonometric, and at what slant is the face seen?
+"""Reading a parallel drawing of a prism: oblique, in a named axonometric view or in any, and how the face is held.
 
 The slant (see `parallel`) is the one that makes the face regular and the view a usual one. The direction of d is only
 known to within the drawing's noise, which matters where d is short and the face seen nearly from its edge: then the
@@ -10,14 +10,25 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
-from sketch2shape.lifting.regularity import Bearings, Candidates, Relations, bearings, between, log_odds, score
+from sketch2shape.lifting.named_views import FREE, SLANTS, VIEWS, off_axis, view_odds
+from sketch2shape.lifting.regularity import (
+    Bearings,
+    Candidates,
+    Relations,
+    bearings,
+    between,
+    log_odds,
+    score,
+    uneven_odds,
+)
 from sketch2shape.model import Bools, Floats
 
 #: slants tried, radians: the face is never seen quite from the front nor quite from its edge
-_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 105))
+_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 79))
 _STEP = float(_SLANTS[1] - _SLANTS[0])
 
 #: a d known to within this angle, radians, is not turned at first, or not even when the pose is refined; else turns of
@@ -36,22 +47,23 @@ _LONG = 0.3
 #: how likely a face in true shape has an edge drawn level, and the log odds against the page being held askew
 _LEVEL, _ASKEW = 0.96, 1.0
 
-#: angles at which receding edges of an oblique drawing, and the axes of an isometric one, rise, radians, and how likely
-#: it is that one of them is used
-_RECEDING, _OFTEN = (math.pi / 6, math.pi / 4, math.pi / 3), 0.5
-_ISOMETRIC_AXES, _SOMETIMES = (math.pi / 6,), 0.3
+#: angles at which receding edges of an oblique drawing rise, radians, and how likely it is that each of them is used
+_RECEDING = {math.pi / 6: 0.05, math.pi / 4: 0.32, math.pi / 3: 0.1}
 
-#: the axes as an isometric view draws them, the upright one last, and how near d has to be to one, radians
-_AXES, _ALONG = (-math.pi / 6, math.pi / 6, math.pi / 2), math.radians(1.0)
+#: poses whose proportions differ by less than this (of the logarithm) are one solid to a person
+_SAME = 0.12
 
-#: slant of an isometric view: all three axes equally foreshortened
-ISOMETRIC = float(np.arccos(1.0 / np.sqrt(3.0)))
+#: solids that the poses of one face give at most, and the least part of the likelihood that makes one
+_SOLIDS, _RARE = 3, 0.03
 
 #: how likely an object in an orthographic view stands on none of its edges
 _AFLOAT = 0.1
 
-#: log odds of an oblique drawing before anything is seen: most hand-made drawings of prisms are
-_OBLIQUE_PRIOR = 1.0
+#: how often an object stands on its face
+_STANDING = 0.3
+
+#: log odds of an oblique drawing against any axonometric one before anything is seen
+_OBLIQUE_PRIOR = -1.2
 
 
 @dataclass(frozen=True)
@@ -62,9 +74,8 @@ class StretchedFace:
     along, across: (r,) components of the relations' vectors along and across d, pixels
     toward       : (2,) unit vector of d
     wobble       : standard deviation of the direction of d, radians
-    noise        : standard deviation of a drawn vertex, pixels
-    isometric    : how much the isometric view is believed for the axes' directions alone
-    rests        : (k,) weight of each edge direction as one that the object stands on, sum 1; None if d is upright
+    noise        : standard deviation of a vertex of the face, pixels
+    rests        : (k,) weight of each edge direction as one that the object stands on, sum 1
     """
 
     relations: Relations
@@ -73,8 +84,7 @@ class StretchedFace:
     toward: Floats
     wobble: float
     noise: float
-    isometric: float = 0.0
-    rests: Floats | None = None
+    rests: Floats
 
 
 @dataclass(frozen=True)
@@ -92,25 +102,31 @@ class Pose:
 
 @dataclass(frozen=True)
 class ParallelReading:
-    """The two ways to read a parallel drawing of a prism.
+    """One way to read a parallel drawing of a prism.
 
-    pose        : the best one for an axonometric view
-    axonometric : log odds of there being such a pose
-    oblique     : log odds of the face being drawn in its true shape
-    view        : what they were told from
+    name : "oblique", "isometric", "dimetric", or "axonometric" for any other such view
+    odds : log odds of it
+    pose : how the face is held; None if it faces the viewer
+    held : how much of its likelihood is in poses with the proportions of this one
+    view : what it was told from
     """
 
-    pose: Pose
-    axonometric: float
-    oblique: float
+    name: Literal["oblique", "axonometric", "isometric", "dimetric"]
+    odds: float
+    pose: Pose | None
+    held: float
     view: StretchedFace
+
+
+#: trials before those of `_Trials`: the face as drawn, then at the slants of the named views
+_NAMED = 1 + len(SLANTS)
 
 
 @dataclass(frozen=True)
 class _Trials:
     """Poses tried: every slant (g,) with every turn (h,), radians, the turn outermost; `sure` (h,) weighs the turns.
 
-    Before all of them comes the face as drawn, neither stretched nor turned.
+    Before all of them come the face as drawn and the slants of the named views, not turned.
     """
 
     slants: Floats
@@ -119,63 +135,107 @@ class _Trials:
 
     @cached_property
     def stretches(self) -> Floats:
-        """(1 + h g, 1) stretch along d."""
-        return np.concatenate([[1.0], *[1.0 / np.cos(self.slants)] * len(self.turns)])[:, None]
+        """(4 + h g, 1) stretch along d."""
+        free = np.concatenate([1.0 / np.cos(self.slants)] * len(self.turns))
+        return np.concatenate([[1.0], 1.0 / np.cos(SLANTS), free])[:, None]
+
+    @cached_property
+    def steps(self) -> Floats:
+        """(4 + h g,) how much further the next slant stretches, of the logarithm."""
+        free = np.tan(self.slants) * abs(float(self.slants[1] - self.slants[0]))
+        return np.concatenate([np.zeros(_NAMED), *[free] * len(self.turns)])
 
     @cached_property
     def swung(self) -> tuple[Floats, Floats]:
-        """Cosine and sine of the turn of d, both (1 + h g, 1)."""
-        swung = np.concatenate([[0.0], np.repeat(self.turns, len(self.slants))])[:, None]
+        """Cosine and sine of the turn of d, both (4 + h g, 1)."""
+        swung = np.concatenate([np.zeros(_NAMED), np.repeat(self.turns, len(self.slants))])[:, None]
         return np.cos(swung), np.sin(swung)
 
 
 _STILL = _Trials(_SLANTS, _NO_TURN, np.ones(1))
 
 
-def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float) -> ParallelReading:
-    """How likely the drawing is an axonometric view, at the best pose, and how likely an oblique one.
+def _alike() -> Bools:
+    """(g, g) slants that give about the same proportions."""
+    stretch, deep = np.log(np.cos(_SLANTS)), np.log(np.sin(_SLANTS))
+    return (np.abs(np.subtract.outer(stretch, stretch)) < _SAME) & (np.abs(np.subtract.outer(deep, deep)) < _SAME)
+
+
+_ALIKE = _alike()
+
+
+def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float, wobble: float) -> list[ParallelReading]:
+    """The ways to read the drawing with their log odds: oblique and axonometric, and each named view that it may be.
 
     face      : (m, 2) pixels, all rings
     d         : (2,) connecting vector, pixels
     relations : what could be regular about the face as drawn
-    noise     : standard deviation of a drawn vertex, pixels
+    noise     : standard deviation of a vertex of the face, pixels
+    wobble    : standard deviation of the direction of d, radians
     """
     long = math.hypot(*d.tolist())
     t = d / long
     vectors = relations.rows @ face
     along, across = vectors @ t, vectors @ np.array([-t[1], t[0]])
-    wobble = noise * math.sqrt(2.0 / len(face)) / long
     trials = _STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS)
     found = _stretched(along, across, trials)
     turned = bearings(relations, found, noise)
     angle, spread = _as_drawn(t, turned, len(relations.edges))
-    isometric = _isometric_odds(relations, angle, spread, d)
-    rests = None
-    if not _is_upright(t):
-        rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
-        rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
-        rests /= rests.sum()
-    view = StretchedFace(relations, along, across, t, wobble, noise, 0.6 if isometric > 1.0 else 0.0, rests)
+    rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
+    rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
+    view = StretchedFace(relations, along, across, t, wobble, noise, rests / rests.sum())
     regular = score(relations, found, turned, noise)
-    odds = regular[1:] + _pose_odds(view, trials, found, turned)
     oblique = float(regular[0]) + _OBLIQUE_PRIOR + _level_odds(relations, angle, spread)
-    oblique += _usual_odds(view, _RECEDING, _OFTEN) - _steep_cost(view, turned.angle[0, : len(spread)], spread)
-    isometric += _usual_odds(view, _ISOMETRIC_AXES, _SOMETIMES)
-    turn, slant = divmod(int(odds.argmax()), len(_SLANTS))
+    oblique += _usual_odds(view) - _steep_cost(view, turned.angle[0, : len(spread)], spread)
+    readings = [ParallelReading("oblique", oblique, None, 1.0, view)]
+    readings += _named(view, regular[1:_NAMED] + _isotropy_odds(relations, found)[1:_NAMED], angle, spread)
+    return readings + _free(view, trials, regular[_NAMED:] + _pose_odds(view, trials, found, turned))
+
+
+def _named(view: StretchedFace, regular: Floats, angle: Floats, spread: Floats) -> list[ParallelReading]:
+    """The named views that the drawing may be, with how regular (3,) the face is at their slants."""
+    weight = view.relations.lengths**2 / (view.relations.lengths**2).sum()
+    toward = math.atan2(view.toward[1], view.toward[0])
+    readings = []
+    for named in VIEWS:
+        odds = view_odds(named, toward, view.wobble, angle, spread, weight)
+        if odds > -math.inf:
+            turn = min(max(off_axis(named, toward), -2.0 * view.wobble), 2.0 * view.wobble)
+            pose = Pose(float(SLANTS[named.slant]), turn)
+            readings.append(ParallelReading(named.name, odds + float(regular[named.slant]), pose, 1.0, view))
+    return readings
+
+
+def _free(view: StretchedFace, trials: _Trials, odds: Floats) -> list[ParallelReading]:
+    """Any axonometric view: the solids, a few at most, that the poses with these log odds give."""
     top = float(odds.max())
-    chance = np.exp(odds - top).sum() / (len(_SLANTS) * trials.sure.sum())
-    whole = top + math.log(chance) + isometric
-    return ParallelReading(Pose(float(_SLANTS[slant]), float(trials.turns[turn])), whole, oblique, view)
+    chance = np.exp(odds - top).reshape(-1, len(_SLANTS))
+    sums = chance.sum(axis=0)
+    whole = float(sums.sum())
+    found: list[tuple[float, Pose]] = []
+    for _ in range(_SOLIDS):
+        near = _ALIKE @ sums
+        middle = int(near.argmax())
+        if near[middle] < _RARE * whole:
+            break
+        window = np.flatnonzero(_ALIKE[middle])
+        turn, slant = divmod(int(chance[:, window].argmax()), len(window))
+        found.append((float(near[middle]), Pose(float(_SLANTS[window[slant]]), float(trials.turns[turn]))))
+        sums = np.where(_ALIKE[middle], 0.0, sums)
+        chance = np.where(_ALIKE[middle], 0.0, chance)
+    told = sum(part for part, _ in found)
+    # what is left over is shared out, and known to be something else
+    base = top + math.log(whole / told / (len(_SLANTS) * trials.sure.sum())) + FREE
+    return [ParallelReading("axonometric", base + math.log(part), pose, told / whole, view) for part, pose in found]
 
 
-def refined_pose(reading: ParallelReading) -> Pose:
-    """The pose of a reading to a hundredth of a degree."""
-    view, pose = reading.view, reading.pose
+def refined_pose(view: StretchedFace, pose: Pose) -> Pose:
+    """The pose of an axonometric reading to a hundredth of a degree."""
     near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
     trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
     found = _stretched(view.along, view.across, trials)
     turned = bearings(view.relations, found, view.noise)
-    odds = score(view.relations, found, turned, view.noise)[1:] + _pose_odds(view, trials, found, turned)
+    odds = score(view.relations, found, turned, view.noise)[_NAMED:] + _pose_odds(view, trials, found, turned)
     odds = odds.reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
     return Pose(_peak(near, odds[turn], slant), _peak(trials.turns, odds[:, slant], turn))
@@ -196,34 +256,37 @@ def _trials(wobble: float, slants: Floats, turns: Floats) -> _Trials:
 
 def _stretched(along: Floats, across: Floats, trials: _Trials) -> Candidates:
     """The face in each pose, by the components of its relations' vectors along and across d as drawn."""
-    stretches = trials.stretches
+    stretches, steps = trials.stretches, trials.steps
     if len(trials.turns) == 1:
-        return Candidates(
-            stretches * along, across[None].repeat(len(stretches), axis=0), stretches[:, 0], stretches[:, 0]
-        )
+        whole = across[None].repeat(len(stretches), axis=0)
+        return Candidates(stretches * along, whole, stretches[:, 0], stretches[:, 0], steps)
     c, s = trials.swung
-    return Candidates(stretches * (c * along + s * across), c * across - s * along, stretches[:, 0], stretches[:, 0])
+    x, y = stretches * (c * along + s * across), c * across - s * along
+    return Candidates(x, y, stretches[:, 0], stretches[:, 0], steps)
 
 
 def _pose_odds(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
     """(h g,) log odds of the poses, whatever shape they give the face."""
-    odds = _isotropy_odds(view.relations, found)[1:]
-    odds = odds + np.add.outer(np.log(trials.sure), _slant_odds(view, trials.slants)).ravel()
-    return odds if view.rests is None else odds + _gravity_odds(view, view.rests, trials, turned)[1:]
+    odds = _isotropy_odds(view.relations, found)[_NAMED:]
+    odds = odds + np.add.outer(np.log(trials.sure), _view_prior(trials.slants, view.toward)).ravel()
+    if _is_upright(view.toward):
+        return odds + _plumb_odds(view)
+    upright: Floats = odds + _gravity_odds(view, trials, turned)[_NAMED:]
+    return upright
+
+
+def _plumb_odds(view: StretchedFace) -> float:
+    """Objects often stand on their face, with connecting edges drawn plumb."""
+    width = math.hypot(view.wobble, math.radians(1.0))
+    off = math.asin(min(abs(float(view.toward[0])), 1.0))
+    density = math.exp(-0.5 * (off / width) ** 2) / (width * math.sqrt(2.0 * math.pi))
+    return math.log(1.0 - _STANDING + _STANDING * math.pi * density)
 
 
 def _as_drawn(toward: Floats, turned: Bearings, k: int) -> tuple[Floats, Floats]:
     """(k,) directions of the edges as drawn, in the picture, and their standard deviations."""
     angle = turned.angle[0, :k] + math.atan2(toward[1], toward[0])
     return (angle + np.pi) % (2.0 * np.pi) - np.pi, turned.spread[0, :k]
-
-
-def _slant_odds(view: StretchedFace, slants: Floats) -> Floats:
-    """(g,) how usual a view at each slant is."""
-    odds = _view_prior(slants, view.toward)
-    if not view.isometric:
-        return odds
-    return odds + log_odds(slants - ISOMETRIC, np.full(len(slants), np.deg2rad(0.7)), view.isometric, np.pi / 2)
 
 
 def _view_prior(slants: Floats, toward: Floats) -> Floats:
@@ -237,31 +300,18 @@ def _view_prior(slants: Floats, toward: Floats) -> Floats:
 
 
 def _view_density(slants: Floats, toward: Floats) -> Floats:
-    prior: Floats = -0.5 * ((np.rad2deg(slants) - 48.0) / 20.0) ** 2
+    prior: Floats = uneven_odds(np.maximum(1.0 / np.cos(slants), 1.0 / np.sin(slants)))
     if _is_upright(toward):
-        return prior
-    plumb = np.sqrt((toward[1] / np.cos(slants)) ** 2 + toward[0] ** 2)
-    elevation = np.rad2deg(np.arccos(np.minimum(1.0 / plumb, 1.0)))
-    prior -= 0.5 * ((elevation - 33.0) / 14.0) ** 2
-    return prior
+        elevation = 90.0 - np.rad2deg(slants)
+    else:
+        plumb = np.sqrt((toward[1] / np.cos(slants)) ** 2 + toward[0] ** 2)
+        elevation = np.rad2deg(np.arccos(np.minimum(1.0 / plumb, 1.0)))
+    return prior - 0.5 * ((elevation - 33.0) / 14.0) ** 2
 
 
 def _is_upright(toward: Floats) -> bool:
     """Is the connecting vector, of length one, drawn vertical?"""
     return bool(abs(toward[0]) < 0.1)
-
-
-def _isometric_odds(relations: Relations, angle: Floats, spread: Floats, d: Floats) -> float:
-    """Axes drawn at 30 degrees to both sides of the level, or one upright and one at 30 degrees: an isometric view."""
-    own = math.atan2(d[1], d[0])
-    off = np.full(len(angle), np.pi / 2)
-    for axis in _AXES:
-        if abs(math.sin(own - axis)) < math.sin(_ALONG):
-            for other in _AXES[:2]:
-                if other != axis:
-                    off = np.minimum(off, between(angle, other))
-    belief = np.where(relations.edges > 1, 0.4, 0.1)
-    return float(log_odds(off, np.hypot(spread, np.deg2rad(0.5)), belief, np.pi / 2).max())
 
 
 def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
@@ -276,15 +326,15 @@ def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
     return odds
 
 
-def _gravity_odds(view: StretchedFace, rests: Floats, trials: _Trials, turned: Bearings) -> Floats:
+def _gravity_odds(view: StretchedFace, trials: _Trials, turned: Bearings) -> Floats:
     """Paper is held upright: what is drawn vertical is vertical, and the base it stands on is at right angles to it."""
-    k = len(rests)
+    k = len(view.rests)
     c, s = trials.swung
     rise, aside = c * view.toward[1] + s * view.toward[0], c * view.toward[0] - s * view.toward[1]
     turn = between(turned.angle[:, :k], np.arctan2(aside, rise * trials.stretches))
     width = np.sqrt(turned.spread[:, :k] ** 2 + np.deg2rad(1.0) ** 2)
     density = np.exp(-0.5 * ((turn - np.pi / 2) / width) ** 2) / (width * np.sqrt(2.0 * np.pi))
-    odds: Floats = np.log(_AFLOAT + (1.0 - _AFLOAT) * np.pi * (density @ rests))
+    odds: Floats = np.log(_AFLOAT + (1.0 - _AFLOAT) * np.pi * (density @ view.rests))
     return odds
 
 
@@ -309,13 +359,15 @@ def _steep_cost(view: StretchedFace, off: Floats, spread: Floats) -> float:
     return _STEEP_COST * (1.0 + 3.0 * hidden) * steep
 
 
-def _usual_odds(view: StretchedFace, usual: tuple[float, ...], belief: float) -> float:
-    """Log odds that d rises at one of the usual angles, and not at any."""
+def _usual_odds(view: StretchedFace) -> float:
+    """Log odds that d rises at one of the angles at which edges of an oblique drawing recede, and not at any."""
     rise = math.atan2(abs(view.toward[1]), abs(view.toward[0]))
-    off = min(abs(rise - angle) for angle in usual)
     spread = math.hypot(view.wobble, math.radians(0.5))
-    density = math.exp(-0.5 * (off / spread) ** 2) / (spread * math.sqrt(2.0 * math.pi))
-    return math.log(1.0 - belief + belief * 0.5 * math.pi / len(usual) * density)
+    odds = 1.0 - sum(_RECEDING.values())
+    for angle, belief in _RECEDING.items():
+        density = math.exp(-0.5 * ((rise - angle) / spread) ** 2) / (spread * math.sqrt(2.0 * math.pi))
+        odds += belief * 0.5 * math.pi * density
+    return math.log(odds)
 
 
 def _level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:

@@ -27,12 +27,21 @@ _IRREGULAR = 0.3
 #: prior odds that a right angle was meant: between any two directions, and how much more between adjacent edges
 _RIGHT, _RIGHT_AT_CORNER = 0.18, 0.27
 
+#: the same where a face's edges have two directions only
+_SQUARE = 0.85
+
 #: other angles between adjacent edges, and the prior odds that such an angle was meant
 _ANGLES = np.deg2rad([60.0, 45.0, 72.0, 30.0])
-_MEANT = np.array([0.08, 0.08, 0.03, 0.03])
+_MEANT = np.array([0.05, 0.08, 0.03, 0.03])
 
 #: prior odds that two edges of different kinds were meant to be equally long
 _ALIKE = 0.05
+
+#: spread of how many times more a view shortens one direction than another (of the logarithm)
+_UNEVEN = 0.8
+
+#: standard deviation of a place between two guesses of a grid, part of its step
+_BETWEEN = 0.3
 
 #: the height of a normal density of width one
 _PEAK = 1.0 / np.sqrt(2.0 * np.pi)
@@ -76,12 +85,14 @@ class Candidates:
     x, y    : (g, r) components, one column for each of `Relations.rows`
     area    : (g,) true area over drawn area
     stretch : (g,) the most that a length grows from the drawing to the true shape
+    step    : (g,) by how much the logarithm of that differs from the next guess's, where the guesses are a grid
     """
 
     x: Floats
     y: Floats
     area: Floats
     stretch: Floats
+    step: Floats
 
 
 @dataclass(frozen=True)
@@ -143,19 +154,22 @@ def candidates(relations: Relations, shapes: Floats, maps: Floats) -> Candidates
     area = maps[:, 0, 0] * maps[:, 1, 1] - maps[:, 0, 1] * maps[:, 1, 0]
     square = (maps**2).sum(axis=(1, 2))
     stretch = np.sqrt(0.5 * (square + np.sqrt(np.maximum(square**2 - 4.0 * area**2, 0.0))))
-    return Candidates(shapes[..., 0] @ relations.rows.T, shapes[..., 1] @ relations.rows.T, np.abs(area), stretch)
+    x, y = shapes[..., 0] @ relations.rows.T, shapes[..., 1] @ relations.rows.T
+    return Candidates(x, y, np.abs(area), stretch, np.zeros(len(area)))
 
 
 def bearings(relations: Relations, found: Candidates, noise: float) -> Bearings:
     """Directions of the relations' vectors; noise is the standard deviation of a drawn vertex, pixels.
 
     A map that makes areas `area` times as large shifts the tip of a vector sideways by area * drawn / true length for
-    each pixel of noise across the drawn one.
+    each pixel of noise across the drawn one. Between two guesses of a grid it turns by up to sine * cosine * step.
     """
     w = len(relations.weight)
     x, y = found.x[:, :w], found.y[:, :w]
     reach = noise * relations.weight * relations.drawn[:w]
-    return Bearings(np.arctan2(y, x), found.area[:, None] * reach / np.maximum(x * x + y * y, 1e-24))
+    square = np.maximum(x * x + y * y, 1e-24)
+    grid = _BETWEEN * found.step[:, None] * x * y
+    return Bearings(np.arctan2(y, x), np.sqrt((found.area[:, None] * reach) ** 2 + grid**2) / square)
 
 
 def score(relations: Relations, found: Candidates, turned: Bearings, noise: float) -> Floats:
@@ -171,6 +185,12 @@ def score(relations: Relations, found: Candidates, turned: Bearings, noise: floa
 def log_odds(deviation: Floats, spread: Floats, belief: Floats | float, span: float) -> Floats:
     """Log odds of a deviation: a normal density of this spread with this belief, against chance over `span`."""
     odds: Floats = np.log((1.0 - belief) + (belief * span) * _density(deviation, spread))
+    return odds
+
+
+def uneven_odds(times: Floats) -> Floats:
+    """Log odds of a view that shortens one direction so much more than another: things are as long as they look."""
+    odds: Floats = -0.5 * (np.log(times) / _UNEVEN) ** 2
     return odds
 
 
@@ -195,15 +215,23 @@ def _angle_odds(relations: Relations, turned: Bearings) -> Floats:
     variance = turned.spread[:, : len(relations.edges)] ** 2
     sharp = 1.0 / np.sqrt(variance[:, i] + variance[:, j] + _FLOOR**2)
     corner = np.flatnonzero(relations.adjacent)
-    right = _RIGHT + _RIGHT_AT_CORNER * relations.adjacent
+    crossed = len(relations.edges) == 2
+    right = _SQUARE if crossed else _RIGHT + _RIGHT_AT_CORNER * relations.adjacent
+    meant = _MEANT * (1.0 - _SQUARE) if crossed else _MEANT
     odds = (np.pi * _PEAK * right) * sharp * np.exp(-0.5 * ((turn - np.pi / 2) * sharp) ** 2)
-    odds += 1.0 - right - _MEANT.sum() * relations.adjacent
+    odds += 1.0 - right - meant.sum() * relations.adjacent
     sharp = sharp[:, corner]
     others = np.exp(-0.5 * ((turn[:, corner, None] - _ANGLES) * sharp[..., None]) ** 2)
-    odds[:, corner] += (others @ (0.5 * np.pi * _PEAK * _MEANT)) * sharp
-    # many pairs of few directions repeat one another: their evidence grows with the number of directions, not of pairs
-    share = 2.0 / max(len(relations.edges) - 1.0, 2.0)
-    total = share * np.log(odds).sum(axis=1)
+    odds[:, corner] += (others @ (0.5 * np.pi * _PEAK * meant)) * sharp
+    told = np.log(odds)
+    if crossed:
+        return np.asarray(told[:, 0])
+    if len(relations.edges) == 3:
+        # of a triangle's three angles two say all
+        total = told.sum(axis=1) - told.min(axis=1)
+    else:
+        # many pairs of few directions repeat one another: their evidence grows with the directions, not the pairs
+        total = told.sum(axis=1) * (2.0 / (len(relations.edges) - 1.0))
     # some faces are not made of special angles at all
     odds_of_face: Floats = np.logaddexp(np.log(1.0 - _IRREGULAR) + total, np.log(_IRREGULAR))
     return odds_of_face
@@ -228,7 +256,7 @@ def _length_odds(relations: Relations, found: Candidates, noise: float) -> Float
         return np.zeros(len(found.x))
     w = len(relations.weight)
     square = np.maximum(found.x[:, w:] ** 2 + found.y[:, w:] ** 2, 1e-24)
-    spread = (2.0 * noise**2) * found.stretch[:, None] ** 2 / square
+    spread = (2.0 * noise**2) * found.stretch[:, None] ** 2 / square + (_BETWEEN * found.step[:, None]) ** 2
     long = 0.5 * np.log(square)
     odds = log_odds(long[:, i] - long[:, j], np.sqrt(spread[:, i] + spread[:, j] + 0.005**2), _ALIKE, 3.0)
     total: Floats = odds.sum(axis=1) / (square.shape[1] - 1.0)

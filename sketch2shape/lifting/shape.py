@@ -24,7 +24,7 @@ class Shape:
     map       : (2, 2) the linear part of drawing -> flat, row vectors
     sizes     : vertices of each ring
     free      : was the depth a mere default?
-    noise     : standard deviation of a drawn vertex as the two faces show it, pixels
+    noise     : standard deviation of a vertex of the face, pixels of the drawing
     evidence  : numbers for the report
     warnings  : what had to be assumed
     order     : (2m,) number of each vertex in the object, None if they are in its order (see `box`)

@@ -24,9 +24,10 @@ from sketch2shape.model.boundary import (
 )
 from sketch2shape.model.drawing import FacePair, Lines, TwoFaceObject, ring_edges
 from sketch2shape.model.picture import Ink, Picture, to_picture, to_working
-from sketch2shape.model.solid import Projection, Solid
+from sketch2shape.model.solid import Alternative, Projection, Solid
 
 __all__ = [
+    "Alternative",
     "Answer",
     "Bools",
     "Boundary",

@@ -24,6 +24,24 @@ class Projection:
 
 
 @dataclass(frozen=True)
+class Alternative:
+    """Another solid that the drawing may be of.
+
+    reading     : name of the reading, as "cavalier" or "isometric"
+    mirrored    : is the far side taken as the near one?
+    projection  : how it is projected, with evidence
+    dimensions  : width, height and depth, in the solid's unit
+    probability : how likely it is
+    """
+
+    reading: str
+    mirrored: bool
+    projection: Projection
+    dimensions: tuple[float, float, float]
+    probability: float
+
+
+@dataclass(frozen=True)
 class Solid:
     """The three-dimensional object.
 
@@ -32,6 +50,9 @@ class Solid:
     unit       : name of the unit of length
     warnings   : defaults that had to be assumed, in words
     axes       : (3, 3) rows: the object's own width, height and depth directions (unit vectors), None for x, y, z
+    confidence : 0..1, how sure the proportions are, but for a depth that the drawing leaves free; apart from the
+                 confidence of the object
+    alternatives : other solids that the drawing may be of, the likeliest first
     """
 
     boundary: Boundary
@@ -39,6 +60,8 @@ class Solid:
     unit: str = "px"
     warnings: tuple[str, ...] = ()
     axes: Floats | None = None
+    confidence: float = 1.0
+    alternatives: tuple[Alternative, ...] = ()
 
     @property
     def vertices(self) -> Floats:

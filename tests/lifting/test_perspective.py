@@ -50,7 +50,7 @@ def test_faces_exchanged_give_a_negative_depth():
 
 def test_a_facing_prism_keeps_its_face_and_its_vanishing_point():
     drawing, view = seen(0.0, 0.0, 900.0, shift=(1.5, -1.0))
-    shape = facing_shape(drawing)
+    shape = facing_shape(drawing, drawing.first)
     assert shape.flat == pytest.approx(drawing.first)
     assert shape.evidence["vanishing_point"] == pytest.approx([320, 240], abs=0.5)
     assert shape.depth > 0

@@ -2,33 +2,9 @@ import numpy as np
 import pytest
 
 from sketch2shape.lifting import lift
-from sketch2shape.lifting.projection import kind_of, prepare
 from sketch2shape.model.drawing import TwoFaceObject
 
 FACE = np.array([[100, 100], [260, 100], [260, 200], [180, 240], [100, 200.0]])
-
-
-def kind(back, noise=0.0):
-    return kind_of(prepare(TwoFaceObject(FACE, back, noise=noise)))[0]
-
-
-def test_kinds_of_drawings():
-    assert kind(FACE + [70, -40]) == "parallel"
-    assert kind(0.7 * FACE + [130, 20]) == "scaled"
-    bent = FACE + [70, -40]
-    bent[:, 0] += 0.001 * (FACE[:, 1] - 100) * (FACE[:, 0] - 100)
-    assert kind(bent) == "converging"
-
-
-def test_the_simpler_kind_is_taken_unless_the_noise_rules_it_out():
-    back = 0.9 * FACE + [85, -25]
-    assert kind(back, noise=8.0) == "parallel"
-    assert kind(back, noise=1.0) == "scaled"
-
-
-def test_shaking_that_no_kind_explains_is_left_to_the_simplest():
-    back = FACE + [70, -40] + np.random.default_rng(2).normal(0, 3.0, FACE.shape)
-    assert kind(back, noise=0.3) == "parallel"
 
 
 def test_a_tilted_page_is_rectified_first():

@@ -1,0 +1,121 @@
+"""The solids that a drawing may be of, how likely each is, and how sure the proportions are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sketch2shape.lifting.decision import Reading
+from sketch2shape.lifting.face import edge_vectors
+from sketch2shape.lifting.shape import Shape
+from sketch2shape.model import Floats
+
+#: edges whose relative lengths differ by less than this (of the logarithm) make one solid to a person
+_SAME = 0.12
+
+#: a solid less likely than this is no alternative, and there are no more than so many
+_RARE, _MOST = 0.02, 4
+
+#: weights of the `cues`, fitted by `python scripts/calibrate_lifting.py --fit`
+WEIGHTS = np.array([4.817, 0.308, -1.596, -0.246])
+
+#: beliefs nearer than this to 0 or 1 are not told apart
+_LEAST = 1e-3
+
+#: lengths of this many standard deviations are as good as exact
+_SURE = 200.0
+
+#: how likely a wireframe shows its object from below
+_FROM_BELOW = 0.08
+
+
+@dataclass(frozen=True)
+class Option:
+    """A solid that the drawing may be of.
+
+    reading     : the likeliest of the readings that give it
+    shape       : it
+    probability : of all these readings
+    held        : how much of the reading's likelihood is in these very proportions
+    mirrored    : is the far side taken as the near one?
+    """
+
+    reading: Reading
+    shape: Shape
+    probability: float
+    held: float
+    mirrored: bool = False
+
+    @property
+    def is_oblique(self) -> bool:
+        """Does the drawing show the face in its true shape and leave the depth free?"""
+        return self.shape.free and self.shape.family == "oblique"
+
+
+def options_of(readings: list[Reading], *, wire: bool) -> list[Option]:
+    """The solids that these readings give, the likeliest first."""
+    odds = np.array([r.odds for r in readings])
+    likely = np.exp(odds - odds.max())
+    likely /= likely.sum()
+    found: list[tuple[Option, Floats]] = []
+    for reading, part in zip(readings, likely.tolist(), strict=True):
+        if part < 0.5 * _RARE and found:
+            break
+        shape = reading.make()
+        if shape is None:
+            continue
+        form = _form(shape)
+        for k, (option, other) in enumerate(found):
+            if np.abs(form - other).max() < _SAME:
+                whole = option.probability + part
+                held = (option.held * option.probability + reading.held * part) / whole
+                found[k] = (replace(option, probability=whole, held=held), other)
+                break
+        else:
+            found.append((Option(reading, shape, part, reading.held), form))
+    options = [option for option, _ in found]
+    oblique = sum(o.probability for o in options if o.is_oblique)
+    options.sort(key=lambda o: (-(oblique if o.is_oblique else o.probability), -o.probability))
+    if wire:
+        best = options[0]
+        options = [replace(o, probability=o.probability * (1.0 - _FROM_BELOW)) for o in options]
+        options.append(replace(best, probability=best.probability * _FROM_BELOW, mirrored=True))
+        options[1:] = sorted(options[1:], key=lambda o: -o.probability)
+    return [o for k, o in enumerate(options) if k == 0 or o.probability >= _RARE][:_MOST]
+
+
+def _form(shape: Shape) -> Floats:
+    """(3m,) logarithms of the lengths of the edges of front and back face and of those between, over their mean."""
+    vertices = shape.vertices
+    m = len(vertices) // 2
+    front, back = vertices[:m], vertices[m:]
+    edges = (edge_vectors(front, shape.sizes), edge_vectors(back, shape.sizes), back - front)
+    lengths = np.concatenate([np.linalg.norm(v, axis=1) for v in edges])
+    logs = np.log(np.maximum(lengths, 1e-9))
+    form: Floats = logs - logs.mean()
+    return form
+
+
+def cues(options: list[Option], chosen: int) -> Floats:
+    """What tells how sure the proportions of one of the solids are, a constant first.
+
+    The log odds of its readings; then how uncertain the shakiest edge is, and the depth unless that is free anyway
+    (logarithms of the relative standard deviations).
+    """
+    own = options[chosen]
+    agree = [o for o in options if o is own or (own.is_oblique and o.is_oblique) or o.mirrored != own.mirrored]
+    belief = min(max(own.held * sum(o.probability for o in agree), _LEAST), 1.0 - _LEAST)
+    shape = own.shape
+    drawn = np.hypot(*(edge_vectors(shape.flat, shape.sizes) @ shape.to_drawing).T)
+    edge = float(drawn.min()) / max(shape.noise, 1e-9)
+    depth = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2])) / max(shape.noise, 1e-9)
+    depth = _SURE if own.is_oblique or shape.family == "oblique" else max(depth, 1.0)
+    logs = [-math.log(min(max(size, 1.0), _SURE) / _SURE) for size in (edge, depth)]
+    return np.array([1.0, math.log(belief / (1.0 - belief)), *logs])
+
+
+def sureness(options: list[Option], chosen: int) -> float:
+    """How sure the proportions of one of the solids are, 0 to 1."""
+    return 1.0 / (1.0 + math.exp(-float(WEIGHTS @ cues(options, chosen))))
