@@ -53,25 +53,25 @@ def _lean(edges: Floats) -> float:
     return float((mean + np.pi / 4) % (np.pi / 2) - np.pi / 4)
 
 
-def upright(vertices: Floats, axes: Floats, up: Literal["y", "z"]) -> tuple[Floats, Floats]:
-    """Vertices and axes turned into the object's own frame, standing on the ground, centred over the origin.
+def standing(axes: Floats) -> Floats:
+    """(3, 3) unit rows: right, up and away of an object with these own axes, set upright; in the viewer's axes.
 
-    The own axis that is seen most nearly vertical points along `up`; the direction seen most nearly along the line of
-    sight points to -z for "y" up, to +y for "z" up.
+    The own axis that is seen most nearly vertical is upright, the one seen most nearly along the line of sight leads
+    away.
     """
     down = axes[np.abs(axes[:, 1]).argmax()]
     down = down * np.sign(down[1])
-    rest = [a for a in axes if abs(a @ down) < 0.5]
-    away = max(rest, key=lambda a: abs(a[2]))
+    away = max((a for a in axes if abs(a @ down) < 0.5), key=lambda a: abs(a[2]))
     away = away * (np.sign(away[2]) or 1.0)
-    right = np.cross(down, away)
-    turn = np.array([right, -down, -away]) if up == "y" else np.array([right, away, -down])
-    moved, turned = vertices @ turn.T, axes @ turn.T
-    low, high = moved.min(axis=0), moved.max(axis=0)
-    origin = 0.5 * (low + high)
-    height = 1 if up == "y" else 2
-    origin[height] = low[height]
-    return moved - origin, turned
+    return np.array([_cross(down, away), -down, away])
+
+
+def frame(looks: Floats, up: Literal["z", "y", "camera"]) -> Floats:
+    """(3, 3) unit rows: the axes of the frame asked for; looks as from `standing`."""
+    right, high, away = looks
+    if up == "camera":
+        return np.eye(3)
+    return np.array([right, away, high] if up == "z" else [right, high, -away])
 
 
 def _cross(a: Floats, b: Floats) -> Floats:

@@ -2,55 +2,60 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
 
 import numpy as np
 
-from sketch2shape.lifting.frame import own_axes
 from sketch2shape.lifting.options import LiftOptions
-from sketch2shape.lifting.shape import Shape
+from sketch2shape.model import Floats
 
 #: sizes given that differ more than this from the drawing are worth a word
 _DIFFERENT = 0.02
 
+_NAMES = ("width", "height", "depth")
 
-def measured(shape: Shape, options: LiftOptions) -> Shape:
-    """The shape in the unit asked for, with the sizes asked for.
 
-    Width, else height, else depth sets the scale. A depth given besides another size, or in pixels, sets the depth
-    alone: exact where the drawing leaves it free, against the drawing otherwise, which a warning then says.
+def measured(own: Floats, free: int | None, options: LiftOptions) -> tuple[Floats, list[str]]:
+    """(3,) factors for width, height and depth that give the sizes asked for, and what is to be said about them.
+
+    own  : (3,) width, height and depth as read, pixels
+    free : which of them the drawing leaves free, if one
+
+    One size sets the scale. A free one is taken as given beside another, or in pixels; of sizes that contradict the
+    drawing each one wins, and a warning says by how much the proportions changed.
     """
-    width, height, depth = options.sizes()
-    unit, warnings = options.solid_unit, list(shape.warnings)
-    own_width, own_height = (1.0, 1.0) if width is None and height is None else _extents(shape)
-    sized: float | None = None
-    if width is not None:
-        sized = width / own_width
-    elif height is not None:
-        sized = height / own_height
-    elif depth is not None and unit != "px":
-        sized = depth / abs(shape.depth)
-    if sized is None:
-        sized = 1.0
-        if unit != "px":
-            warnings.append(f"no size was given: one pixel is taken as one {unit}")
-    elif width is not None and height is not None and abs(height / sized / own_height - 1.0) > _DIFFERENT:
-        warnings.append(f"width and height do not fit the drawing together: height is {sized * own_height:.4g} {unit}")
-    if depth is not None:
-        stretch = depth / (sized * abs(shape.depth))
-        if not shape.free and abs(stretch - 1.0) > _DIFFERENT:
-            warnings.append(f"the drawing's own depth is {sized * abs(shape.depth):.4g} {unit}")
-        shape = replace(shape, depth=shape.depth * stretch)
-    elif shape.free:
-        warnings.append(f"the drawing leaves the depth free: {sized * abs(shape.depth):.4g} {unit} is assumed")
-    return replace(
-        shape, flat=shape.flat * sized, origin=shape.origin * sized, depth=shape.depth * sized, warnings=tuple(warnings)
-    )
+    own = np.maximum(own, 1e-12)
+    if options.fit is not None:
+        scale = options.largest() / float(own.max())
+        return np.full(3, scale), _assumed(own * scale, free, options)
+    sizes = options.sizes()
+    given = [k for k, size in enumerate(sizes) if size is not None]
+    factors = np.array([1.0 if size is None else size / own[k] for k, size in enumerate(sizes)])
+    fixed = [k for k in given if k != free]
+    if not given:
+        warnings = (
+            [] if options.solid_unit == "px" else [f"no size was given: one pixel is taken as one {options.solid_unit}"]
+        )
+        return factors, warnings + _assumed(own, free, options)
+    leading = fixed[0] if fixed else None
+    scale = factors[leading] if leading is not None else (factors[given[0]] if options.solid_unit != "px" else 1.0)
+    factors = np.where(np.isin(np.arange(3), given), factors, scale)
+    warnings = _contradictions(factors, fixed)
+    return factors, warnings if free in given else warnings + _assumed(own * factors, free, options)
 
 
-def _extents(shape: Shape) -> tuple[float, float]:
-    """Width and height of the whole object along its own axes."""
-    vertices = shape.vertices
-    axes = own_axes(vertices[: len(shape.flat)], shape.pose[2] * np.sign(shape.depth or 1.0), shape.sizes)
-    width, height = (float(e) for e in np.ptp(vertices @ axes[:2].T, axis=0))
-    return max(width, 1e-12), max(height, 1e-12)
+def _contradictions(factors: Floats, fixed: Sequence[int]) -> list[str]:
+    """What sizes that do not fit the drawing together changed."""
+    first = fixed[0] if fixed else 0
+    changed = [(k, float(factors[k] / factors[first]) - 1.0) for k in fixed[1:]]
+    return [
+        f"{_NAMES[first]} and {_NAMES[k]} do not fit the drawing together: {_NAMES[k]} was changed by {part:+.0%}"
+        for k, part in changed
+        if abs(part) > _DIFFERENT
+    ]
+
+
+def _assumed(sizes: Floats, free: int | None, options: LiftOptions) -> list[str]:
+    if free is None:
+        return []
+    return [f"the drawing leaves the {_NAMES[free]} free: {sizes[free]:.4g} {options.solid_unit} is assumed"]

@@ -15,6 +15,9 @@ Unit = Literal["px", "mm", "cm", "m", "in"]
 #: length of each unit in millimetres; a pixel has none
 _MILLIMETRES: dict[str, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 
+#: sizes that a user may give, as the upright solid has them
+SIZES = ("width", "height", "depth")
+
 _LENGTH = re.compile(r"\s*([0-9]*\.?[0-9]+(?:[eE][+-]?[0-9]+)?)\s*(mm|cm|m|in|px)?\s*")
 
 
@@ -23,14 +26,15 @@ class LiftOptions:
     """How a drawing is lifted to a solid.
 
     projection  : "auto" tells the family from the drawing; a name imposes it
-    depth       : distance between the two faces, as "40mm", "1.5in" or a number in `unit`; None: from the drawing
-    width       : overall size of the object along its width, fixes the scale; as `depth`
-    height      : overall size along its height, fixes the scale if `width` does not
+    width       : size of the upright solid from left to right, as "40mm", "1.5in" or a number in `unit`
+    height      : its size upward, likewise
+    depth       : its size from front to back, likewise
+    fit         : its largest size, likewise; instead of the others
     depth_ratio : drawn over true length of receding edges in an oblique drawing; None: 0.5 (cabinet) unless the drawing
                   says otherwise
     unit        : unit of length of the solid; "px" with a size in millimetres means millimetres
-    up          : None keeps the viewer's axes (x right, y down, z away); "y" or "z" turns the object upright into its
-                  own axes, with that axis upward
+    up          : "z" or "y" stands the solid upright on 0 of that axis, centred over the origin; "camera" keeps the
+                  viewer's axes (x right, y down, z away)
     necker      : take the mirrored reading, in which near and far are exchanged
     reading     : 1 takes the likeliest reading, 2 the next best, ...
     beautify    : make nearly right angles, parallels, equal lengths and symmetry exact
@@ -39,12 +43,13 @@ class LiftOptions:
     """
 
     projection: Family = "auto"
-    depth: str | float | None = None
     width: str | float | None = None
     height: str | float | None = None
+    depth: str | float | None = None
+    fit: str | float | None = None
     depth_ratio: float | None = None
     unit: Unit = "px"
-    up: Literal["y", "z"] | None = None
+    up: Literal["z", "y", "camera"] = "z"
     necker: bool = False
     reading: int = 1
     beautify: bool = True
@@ -53,9 +58,11 @@ class LiftOptions:
         """Refuse what cannot be meant, before any work is done."""
         _one_of("projection", self.projection, ("auto", "oblique", "axonometric", "perspective"))
         _one_of("unit", self.unit, ("px", *_MILLIMETRES))
-        _one_of("up", self.up, (None, "y", "z"))
-        for name in ("depth", "width", "height"):
+        _one_of("up", self.up, ("z", "y", "camera"))
+        for name in (*SIZES, "fit"):
             length(getattr(self, name), "mm")
+        if self.fit is not None and any(getattr(self, name) is not None for name in SIZES):
+            raise UsageError("fit sets the largest size: no other can be given", remedy="one of the two")
         if self.reading < 1:
             raise UsageError(f"there is no reading {self.reading}", remedy="1 for the likeliest, 2 for the next")
         ratio = self.depth_ratio
@@ -67,7 +74,7 @@ class LiftOptions:
         """The unit the solid will have: `unit`, or the unit of the first size given if `unit` is left at pixels."""
         if self.unit != "px":
             return self.unit
-        for size in (self.width, self.height, self.depth):
+        for size in (self.width, self.height, self.depth, self.fit):
             match = _LENGTH.fullmatch(size) if isinstance(size, str) else None
             if match and match[2] not in (None, "px"):
                 return match[2]
@@ -77,6 +84,10 @@ class LiftOptions:
         """Width, height and depth asked for, in `solid_unit`."""
         unit = self.solid_unit
         return length(self.width, unit), length(self.height, unit), length(self.depth, unit)
+
+    def largest(self) -> float:
+        """What `fit` asks for, in `solid_unit`; 0 if nothing."""
+        return length(self.fit, self.solid_unit) or 0.0
 
 
 def length(text: str | float | None, unit: str) -> float | None:

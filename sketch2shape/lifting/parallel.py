@@ -49,7 +49,16 @@ def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -
     flat = (face - middle) @ stretch
     evidence = {"slant_deg": round(float(np.rad2deg(slant)), 2), "foreshortening": round(float(np.cos(slant)), 4)}
     depth = length / float(np.sin(slant))
-    return Shape("axonometric", flat, pose, np.array([*middle, 0.0]), depth, stretch, sizes, evidence=evidence)
+    camera = along_a_vector(np.zeros(2))
+    return Shape("axonometric", flat, pose, np.array([*middle, 0.0]), depth, camera, stretch, sizes, evidence=evidence)
+
+
+def along_a_vector(d: Floats) -> Floats:
+    """(3, 4) parallel camera that sees right and down as they are, and each unit away as the vector d (2,)."""
+    camera = np.zeros((3, 4))
+    camera[0, 0] = camera[1, 1] = camera[2, 3] = 1.0
+    camera[:2, 2] = d
+    return camera
 
 
 def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float, *, free: bool) -> Shape:
@@ -62,7 +71,8 @@ def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float, *, fr
         "receding_deg": round(float(np.rad2deg(np.arctan2(-d[1], d[0]))), 2),
     }
     depth = float(np.hypot(*d)) / ratio
-    return Shape("oblique", face, np.eye(3), np.zeros(3), depth, np.eye(2), sizes, free=free, evidence=evidence)
+    camera = along_a_vector(d / depth)
+    return Shape("oblique", face, np.eye(3), np.zeros(3), depth, camera, np.eye(2), sizes, free=free, evidence=evidence)
 
 
 def cavalier_odds(face: Floats, sizes: list[int], length: float, noise: float) -> float:

@@ -130,6 +130,7 @@ def perspective_shape(drawing: Drawing, seen: Seen | None = None) -> Shape | Non
         pose,
         pose[2] * size,
         float(cameras.depth[best]) * size,
+        _pinhole(float(cameras.focal[best]), cameras.centre[best], 0.0),
         seen.maps[best] * size,
         drawing.sizes,
         evidence=evidence,
@@ -184,12 +185,27 @@ def facing_shape(drawing: Drawing, face: Floats) -> Shape:
         np.eye(3),
         np.zeros(3),
         depth,
+        _pinhole(focal, middle, focal) @ _shifted(-middle),
         np.eye(2),
         drawing.sizes,
         free=True,
         evidence=evidence,
         warnings=(warning,),
     )
+
+
+def _pinhole(focal: float, centre: Floats, away: float) -> Floats:
+    """(3, 4) camera with this focal length and principal point, that far before the origin."""
+    return np.array(
+        [[focal, 0.0, centre[0], centre[0] * away], [0.0, focal, centre[1], centre[1] * away], [0, 0, 1, away]]
+    )
+
+
+def _shifted(by: Floats) -> Floats:
+    """(4, 4) shift to the side."""
+    shift = np.eye(4)
+    shift[:2, 3] = by
+    return shift
 
 
 def _finite(point: Floats) -> list[float] | None:

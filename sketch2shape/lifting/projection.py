@@ -34,6 +34,7 @@ class Drawing:
     diagonal      : size of the whole object, pixels
     known         : (m,) bool, where f2 was seen, not inferred
     hidden        : do dashed or missing lines tell which face is in front?
+    to_picture    : (3, 3) homography from these pixels to those of the picture
     """
 
     first: Floats
@@ -44,6 +45,7 @@ class Drawing:
     diagonal: float
     known: Bools
     hidden: bool
+    to_picture: Floats
 
     @cached_property
     def pairs(self) -> list[tuple[Drawing, Ints | None]]:
@@ -69,7 +71,7 @@ class Drawing:
 
 def prepare(obj: TwoFaceObject) -> Drawing:
     """Split an object into what the lifting needs."""
-    points = _rectified(obj.vertices.astype(np.float64), obj.page)
+    points, to_picture = _rectified(obj.vertices.astype(np.float64), obj.page)
     m = len(points) // 2
     first, second = points[:m], points[m:]
     known = np.ones(m, bool) if obj.f2_drawn is None else np.asarray(obj.f2_drawn, bool)
@@ -84,6 +86,7 @@ def prepare(obj: TwoFaceObject) -> Drawing:
         max(diagonal, 1e-6),
         known,
         obj.lines != "wire",
+        to_picture,
     )
 
 
@@ -99,21 +102,25 @@ def _turn(a: list[float], b: list[float], c: list[float]) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _rectified(points: Floats, page: Floats | None) -> Floats:
+def _rectified(points: Floats, page: Floats | None) -> tuple[Floats, Floats]:
     """Points as they lie on the page, if the page was photographed at a tilt, in about their size in the picture.
 
-    A homography that sends a point to infinity cannot be that of the page, and is ignored.
+    With the homography (3, 3) back to the picture. One that sends a point to infinity cannot be that of the page, and
+    is ignored.
     """
     if page is None:
-        return points
+        return points, np.eye(3)
     mapped = np.c_[points, np.ones(len(points))] @ np.asarray(page, np.float64).T
     depth = mapped[:, 2]
     if not np.isfinite(mapped).all() or np.abs(depth).min() < 1e-9 or np.ptp(np.sign(depth)) > 0:
-        return points
+        return points, np.eye(3)
     flat: Floats = mapped[:, :2] / depth[:, None]
     size = float(np.linalg.norm(np.ptp(flat, axis=0)))
     if size <= 0.0:
-        return points
+        return points, np.eye(3)
     scale = float(np.linalg.norm(np.ptp(points, axis=0))) / size
-    placed: Floats = (flat - flat.mean(axis=0)) * scale + points.mean(axis=0)
-    return placed
+    middle, goal = flat.mean(axis=0), points.mean(axis=0)
+    place = np.array([[scale, 0.0, goal[0] - scale * middle[0]], [0.0, scale, goal[1] - scale * middle[1]], [0, 0, 1]])
+    placed: Floats = (flat - middle) * scale + goal
+    back: Floats = np.linalg.inv(place @ np.asarray(page, np.float64))
+    return placed, back

@@ -21,6 +21,7 @@ class Shape:
     origin    : (3,) where the plane's (0, 0) lies
     depth     : distance between the faces along the normal, negative if f2 is the nearer one
     taper     : size of the back face over that of the front face; the axis goes through the mean of the outer vertices
+    camera    : (3, 4) from `vertices` to homogeneous pixels of the drawing
     map       : (2, 2) the linear part of drawing -> flat, row vectors
     sizes     : vertices of each ring
     free      : was the depth a mere default?
@@ -35,6 +36,7 @@ class Shape:
     pose: Floats
     origin: Floats
     depth: float
+    camera: Floats
     map: Floats
     sizes: list[int]
     taper: float = 1.0

@@ -10,9 +10,10 @@ from sketch2shape.errors import PointsError, UsageError
 from sketch2shape.lifting.beautify import beautified
 from sketch2shape.lifting.decision import Reading, all_readings
 from sketch2shape.lifting.face import ring_area
-from sketch2shape.lifting.frame import own_axes, upright
+from sketch2shape.lifting.frame import frame, own_axes, standing
 from sketch2shape.lifting.measure import measured
 from sketch2shape.lifting.options import LiftOptions
+from sketch2shape.lifting.parallel import along_a_vector
 from sketch2shape.lifting.projection import Drawing, prepare
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.lifting.trust import Option, options_of, sureness
@@ -34,8 +35,9 @@ def lift(
     picture_size : width and height of the picture, pixels; kept in the evidence
     options      : what the user fixes
 
-    The solid has one vertex for each of `obj.vertices`, in that order. Unless `options.up` is given its axes are the
-    viewer's: x right, y down, z away. What the drawing leaves free is set to a default that `Solid.warnings` states.
+    The solid has one vertex for each of `obj.vertices`, in that order. It stands upright on z = 0, x to the right and y
+    away, unless `options.up` says otherwise. What the drawing leaves free is set to a default that `Solid.warnings`
+    states.
 
     Raises PointsError if a coordinate is not finite, UsageError if there is no such reading.
     """
@@ -45,7 +47,7 @@ def lift(
     drawing = prepare(obj)
     problem = _degenerate(drawing)
     if problem:
-        return _solid(_default(drawing, problem), options, picture_size)
+        return _solid(_default(drawing, problem), drawing, options, picture_size)
     ways = options_of(_allowed(all_readings(drawing, options.depth_ratio), options), wire=obj.lines == "wire")
     if options.reading > len(ways):
         raise UsageError(f"there are only {len(ways)} readings", remedy=f"a reading from 1 to {len(ways)}")
@@ -53,7 +55,7 @@ def lift(
     tidied = {id(way.shape): _tidied(way, drawing, options) for way in ways if not way.mirrored}
     shapes = [tidied[id(way.shape)] for way in ways]
     shapes = [_mirrored(s) if way.mirrored != options.necker else s for s, way in zip(shapes, ways, strict=True)]
-    solids = [_solid(shape, options, picture_size) for shape in shapes]
+    solids = [_solid(shape, drawing, options, picture_size) for shape in shapes]
     others = tuple(
         Alternative(way.reading.name, way.mirrored, solid.projection, solid.dimensions, round(way.probability, 4))
         for k, (way, solid) in enumerate(zip(ways, solids, strict=True))
@@ -89,19 +91,36 @@ def _tidied(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:
     return beautified(shape) if options.beautify else shape
 
 
-def _solid(shape: Shape, options: LiftOptions, picture_size: tuple[int, int] | None) -> Solid:
-    """The shape in the size, unit and axes asked for."""
-    shape = measured(shape, options)
+def _solid(shape: Shape, drawing: Drawing, options: LiftOptions, picture_size: tuple[int, int] | None) -> Solid:
+    """The shape in the size, unit and frame asked for."""
     vertices = shape.vertices
-    axes = own_axes(vertices[: len(shape.flat)], _through(vertices), shape.sizes)
-    if options.up is not None:
-        vertices, axes = upright(vertices, axes, options.up)
+    through = _through(vertices)
+    looks = standing(own_axes(vertices[: len(shape.flat)], through, shape.sizes))
+    free = int(np.abs(looks @ through).argmax()) if shape.free else None
+    factors, warnings = measured(np.ptp(vertices @ looks.T, axis=0), free, options)
+    turn = frame(looks, options.up)
+    place = np.eye(4)
+    place[:3, :3] = turn @ (looks.T * factors) @ looks
+    moved = vertices @ place[:3, :3].T
+    if options.up != "camera":
+        origin = 0.5 * (moved.min(axis=0) + moved.max(axis=0))
+        height = 2 if options.up == "z" else 1
+        origin[height] = moved[:, height].min()
+        place[:3, 3] = -origin
+        moved = moved - origin
+    camera = drawing.to_picture @ shape.camera @ np.linalg.inv(place)
     evidence = dict(shape.evidence)
     if picture_size is not None:
         evidence["picture_size"] = [int(n) for n in picture_size]
-    projection = Projection(shape.family, evidence)
-    boundary = two_face_boundary(vertices, shape.sizes)
-    return Solid(boundary, projection, options.solid_unit, shape.warnings, axes)
+    return Solid(
+        two_face_boundary(moved, shape.sizes),
+        Projection(shape.family, evidence),
+        options.solid_unit,
+        (*shape.warnings, *warnings),
+        looks @ turn.T,
+        options.up,
+        camera / np.linalg.norm(camera[2]),
+    )
 
 
 def _degenerate(drawing: Drawing) -> str | None:
@@ -122,7 +141,10 @@ def _default(drawing: Drawing, problem: str) -> Shape:
     depth = 0.25 * float(np.ptp(face, axis=0).sum()) or 1.0
     warning = f"{problem}: taken as facing the viewer, with half its mean extent as depth"
     still, origin = np.eye(3), np.zeros(3)
-    return Shape("oblique", face, still, origin, depth, np.eye(2), drawing.sizes, free=True, warnings=(warning,))
+    camera = along_a_vector(drawing.relation.d / depth)
+    return Shape(
+        "oblique", face, still, origin, depth, camera, np.eye(2), drawing.sizes, free=True, warnings=(warning,)
+    )
 
 
 def _mirrored(shape: Shape) -> Shape:
@@ -130,7 +152,8 @@ def _mirrored(shape: Shape) -> Shape:
     flip = np.array([1.0, 1.0, -1.0])
     pose = shape.pose * flip
     pose[2] *= -1.0
-    return replace(shape, pose=pose, origin=shape.origin * flip, depth=-shape.depth)
+    camera = shape.camera * np.append(flip, 1.0)
+    return replace(shape, pose=pose, origin=shape.origin * flip, depth=-shape.depth, camera=camera)
 
 
 def _through(vertices: Floats) -> Floats:

@@ -78,8 +78,8 @@ def options_of(readings: list[Reading], *, wire: bool) -> list[Option]:
     options = [option for option, _ in found]
     oblique = sum(o.probability for o in options if o.is_oblique)
     options.sort(key=lambda o: (-(oblique if o.is_oblique else o.probability), -o.probability))
-    if wire:
-        best = options[0]
+    best = options[0]
+    if wire and best.reading.family != "perspective":
         options = [replace(o, probability=o.probability * (1.0 - _FROM_BELOW)) for o in options]
         options.append(replace(best, probability=best.probability * _FROM_BELOW, mirrored=True))
         options[1:] = sorted(options[1:], key=lambda o: -o.probability)

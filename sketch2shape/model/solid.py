@@ -49,7 +49,11 @@ class Solid:
     projection : how it was projected, with evidence
     unit       : name of the unit of length
     warnings   : defaults that had to be assumed, in words
-    axes       : (3, 3) rows: the object's own width, height and depth directions (unit vectors), None for x, y, z
+    axes       : (3, 3) unit rows: right, up and away of the object set upright, along which width, height and depth are
+                 measured; None for x, y, z
+    up         : which axis is upward; "camera" where the axes are those of the viewer (x right, y down, z away)
+    camera     : (3, 4) from the vertices to homogeneous pixels of the picture, third row 0 0 0 1 for a parallel view;
+                 None if the solid was not read from one
     confidence : 0..1, how sure the proportions are, but for a depth that the drawing leaves free; apart from the
                  confidence of the object
     alternatives : other solids that the drawing may be of, the likeliest first
@@ -60,6 +64,8 @@ class Solid:
     unit: str = "px"
     warnings: tuple[str, ...] = ()
     axes: Floats | None = None
+    up: Literal["z", "y", "camera"] = "z"
+    camera: Floats | None = None
     confidence: float = 1.0
     alternatives: tuple[Alternative, ...] = ()
 

@@ -23,7 +23,7 @@ def edges(solid, n):
 
 
 def test_nearly_right_angles_and_equal_steps_become_exact():
-    e = edges(lift(shaky(STAIRS, 0.7)), 8)
+    e = edges(lift(shaky(STAIRS, 0.7), options=LiftOptions(up="camera")), 8)
     turn = (e * np.roll(e, -1, axis=0)).sum(axis=1) / np.linalg.norm(e, axis=1) ** 2
     assert turn == pytest.approx(0.0, abs=1e-9)
     length = np.linalg.norm(e, axis=1)
@@ -40,13 +40,13 @@ def test_nearly_regular_polygon_becomes_regular():
 
 def test_it_can_be_switched_off():
     obj = shaky(STAIRS, 0.7)
-    plain = lift(obj, options=LiftOptions(beautify=False))
+    plain = lift(obj, options=LiftOptions(beautify=False, up="camera"))
     assert plain.vertices[:8, :2] == pytest.approx(0.5 * (obj.f1 + obj.f2 - (obj.f2 - obj.f1).mean(axis=0)))
 
 
 def test_a_clear_slope_stays():
     trapezoid = np.array([[0, 0], [200, 12], [200, 100], [0, 100.0]]) + 200
-    got = lift(shaky(trapezoid, 0.3)).vertices[:4, :2]
+    got = lift(shaky(trapezoid, 0.3), options=LiftOptions(up="camera")).vertices[:4, :2]
     assert got[1, 1] - got[0, 1] == pytest.approx(12, abs=1.0)
 
 
@@ -57,7 +57,7 @@ def test_no_vertex_moves_further_than_the_noise_allows(n, seed, noise):
     turn = np.sort(rng.uniform(0, 2 * np.pi, n))
     face = 300 + rng.uniform(40, 150, (n, 1)) * np.c_[np.cos(turn), np.sin(turn)]
     obj = TwoFaceObject(face, face + [80.0, -37.0], noise=noise)
-    options = {"projection": "oblique"}
+    options = {"projection": "oblique", "up": "camera"}
     fine = lift(obj, options=LiftOptions(**options)).vertices
     plain = lift(obj, options=LiftOptions(**options, beautify=False)).vertices
     # 3.5 standard deviations of the mean of two vertices, each half as shaky again as was told

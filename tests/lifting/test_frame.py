@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.lifting.frame import own_axes, upright
+from sketch2shape.lifting.frame import frame, own_axes, standing
 
 PARALLELOGRAM = np.array([[0, 0], [4, 0], [5, -2], [1, -2.0]])
 
@@ -26,14 +26,21 @@ def test_a_face_without_a_main_direction_is_level_as_seen():
     assert axes == pytest.approx(np.eye(3))
 
 
-@pytest.mark.parametrize(("up", "axis"), [("y", 1), ("z", 2)])
-def test_upright_rests_on_its_base(up, axis):
-    vertices = np.concatenate([flat(PARALLELOGRAM), flat(PARALLELOGRAM) + [0, 0, 3]])
-    axes = own_axes(vertices[:4], np.array([0.0, 0.0, 3.0]), [4])
-    stood, turned = upright(vertices, axes, up)
-    assert stood[[0, 1, 4, 5], axis] == pytest.approx(0.0)
-    assert stood[[2, 3, 6, 7], axis] == pytest.approx(2.0)
-    assert np.linalg.det(turned) == pytest.approx(1.0)
+def test_an_upright_object_looks_as_it_is_seen():
+    """Own axes in any order and sense: up is the one seen most nearly vertical, away the one most along the view."""
+    seen = np.array([[0.8, 0.1, 0.6], [-0.6, 0.0, 0.8], [0.08, -0.995, 0.06]])
+    looks = standing(seen[[2, 0, 1]] * [[-1], [-1], [1]])
+    assert looks[1, 1] < -0.9
+    assert looks[2, 2] > 0.7
+    assert looks[0, 0] > 0.7
+
+
+@pytest.mark.parametrize("up", ["z", "y", "camera"])
+def test_frames_are_right_handed(up):
+    looks = standing(np.eye(3))
+    assert np.linalg.det(frame(looks, up)) == pytest.approx(1.0)
+    if up != "camera":
+        assert frame(looks, up)["xyz".index(up)] == pytest.approx(looks[1])
 
 
 def test_a_face_without_any_extent_leans_nowhere():

@@ -73,7 +73,7 @@ def test_one_point_perspective_says_what_it_assumes():
 @pytest.mark.parametrize("ratio", [None, 0.5, 1.0])
 def test_oblique_face_is_true_and_its_depth_a_stated_default(ratio):
     face = HOUSE * 100 + 300
-    got = lift(TwoFaceObject(face, face + [60, -45]), options=LiftOptions(depth_ratio=ratio))
+    got = lift(TwoFaceObject(face, face + [60, -45]), options=LiftOptions(depth_ratio=ratio, up="camera"))
     assert got.projection.family == "oblique"
     assert got.vertices[:5, :2] == pytest.approx(face)
     assert got.dimensions[2] == pytest.approx(75.0 / (ratio or 0.5))
@@ -94,7 +94,7 @@ def test_back_face_of_another_size_is_a_frustum_with_a_straight_axis():
     face = HOUSE * 100 + 300
     got = lift(TwoFaceObject(face, face * 0.5 + [230.0, 90.0]))
     assert np.linalg.norm(got.vertices[6] - got.vertices[5]) == pytest.approx(0.5 * np.linalg.norm(face[1] - face[0]))
-    assert np.abs(np.ptp(got.vertices[5:, 2])) < 1e-9
+    assert np.abs(np.ptp(got.vertices[5:, 1])) < 1e-9
     assert any("tapered" in w for w in got.warnings)
 
 
@@ -113,18 +113,65 @@ def test_hole_and_outline_share_a_plane_and_make_a_closed_solid():
 
 def test_mirrored_reading_has_the_same_drawing_and_the_opposite_depths():
     obj = drawn(turned(solid(L_SHAPE, 1.5), 40.0, -30.0))
-    near, far = lift(obj).vertices, lift(obj, options=LiftOptions(necker=True)).vertices
+    near, far = (lift(obj, options=LiftOptions(necker=n, up="camera")).vertices for n in (False, True))
     assert far == pytest.approx(near * [1, 1, -1])
     assert to_trimesh(lift(obj, options=LiftOptions(necker=True))).volume > 0
 
 
 def test_projection_can_be_imposed():
     obj = drawn(turned(solid(L_SHAPE, 1.5), 40.0, -30.0))
-    oblique = lift(obj, options=LiftOptions(projection="oblique"))
+    oblique = lift(obj, options=LiftOptions(projection="oblique", up="camera"))
     assert oblique.projection.family == "oblique"
     assert oblique.vertices[:6, :2] == pytest.approx(obj.f1)
     parallel = lift(obj, options=LiftOptions(projection="perspective"))
     assert any("parallel" in w for w in parallel.warnings)
+
+
+CAMERA_CASES = {
+    "oblique": TwoFaceObject(HOUSE * 100 + 300, HOUSE * 100 + 300 + [60, -45]),
+    "axonometric": drawn(turned(solid(L_SHAPE, 1.5), 40.0, -30.0)),
+    "standing": drawn(turned(solid(L_SHAPE, 1.5)[:, [0, 2, 1]], 40.0, -30.0)),
+    "one-point": drawn(solid(HOUSE, 1.5) + [2.0, 1.5, 0.0], focal=6.0),
+    "perspective": drawn(turned(solid(L_SHAPE, 1.5), 35.0, -25.0), focal=8.0),
+    "tapered": TwoFaceObject(HOUSE * 100 + 300, HOUSE * 50 + [380, 240]),
+    "default": TwoFaceObject(SQUARE * 100 + 300, SQUARE * 100 + 300.001),
+}
+
+
+@pytest.mark.parametrize("name", CAMERA_CASES)
+@pytest.mark.parametrize("options", [{}, {"up": "camera"}, {"up": "y", "width": "40mm"}, {"necker": True}])
+def test_the_camera_takes_every_vertex_back_onto_the_found_one(name, options):
+    obj = CAMERA_CASES[name]
+    got = lift(obj, options=LiftOptions(**options))
+    seen = np.c_[got.vertices, np.ones(len(got.vertices))] @ got.camera.T
+    limit = 1.0 if got.projection.family == "perspective" else 0.1
+    assert np.abs(seen[:, :2] / seen[:, 2:] - obj.vertices).max() < limit
+    if got.projection.family != "perspective":
+        assert got.camera[2] == pytest.approx([0, 0, 0, 1])
+
+
+def test_the_camera_sees_through_a_tilted_page():
+    tilt = np.array([[1.0, 0.1, 5.0], [0.05, 1.1, -8.0], [2e-4, 3e-4, 1.0]])
+    flat = np.c_[CAMERA_CASES["oblique"].vertices, np.ones(10)] @ np.linalg.inv(tilt).T
+    points = flat[:, :2] / flat[:, 2:]
+    got = lift(TwoFaceObject(points[:5], points[5:], page=tilt))
+    seen = np.c_[got.vertices, np.ones(10)] @ got.camera.T
+    assert np.abs(seen[:, :2] / seen[:, 2:] - points).max() < 0.1
+
+
+def test_sizes_against_the_drawing_still_project_back():
+    obj = CAMERA_CASES["axonometric"]
+    got = lift(obj, options=LiftOptions(width="40mm", height="50mm", depth="10mm"))
+    seen = np.c_[got.vertices, np.ones(len(got.vertices))] @ got.camera.T
+    assert np.abs(seen[:, :2] - obj.vertices).max() < 0.1
+
+
+def test_an_isometric_cube_forty_wide_is_a_cube_on_the_table():
+    cube = solid(SQUARE, 2.0)
+    got = lift(drawn(turned(cube, 45.0, -35.264)), options=LiftOptions(width="40mm"))
+    assert got.dimensions == pytest.approx((40.0, 40.0, 40.0))
+    assert np.ptp(got.vertices, axis=0) == pytest.approx(40.0)
+    assert got.vertices[:, 2].min() == pytest.approx(0.0)
 
 
 def test_no_depth_at_all_gets_a_default_and_a_warning():
