@@ -106,15 +106,22 @@ def _solid_options(parser: argparse.ArgumentParser) -> None:
         "--projection", choices=("auto", "oblique", "axonometric", "perspective"), default="auto",
         help="how the object was projected (default: told from the drawing)",
     )  # fmt: skip
-    group.add_argument("--width", metavar="L", help="size of the object, as 40mm; it sets the scale")
-    group.add_argument("--height", metavar="L", help="the same by its height")
-    group.add_argument("--depth", metavar="L", help="distance between the two faces, as 25mm")
+    group.add_argument(
+        "--reading", metavar="N", type=_count, default=1, help="2 takes the next best reading (default 1)"
+    )
+    group.add_argument("--width", metavar="L", help="size of the upright solid from left to right, as 40mm")
+    group.add_argument("--height", metavar="L", help="its size upward")
+    group.add_argument("--depth", metavar="L", help="its size from front to back; any of the three together")
+    group.add_argument("--fit", metavar="L", help="scale the solid so that this is its largest size, as 50mm")
     group.add_argument(
         "--depth-ratio", metavar="R", type=float,
         help="drawn over true length of receding edges, where the drawing is oblique (default 0.5, cabinet)",
     )  # fmt: skip
     group.add_argument("--unit", choices=("px", "mm", "cm", "m", "in"), default="px", help="unit of length")
-    group.add_argument("--up", choices=("y", "z"), help="stand the object upright, this axis upward")
+    group.add_argument(
+        "--up", choices=("z", "y", "camera"), default="z",
+        help="the solid stands with this axis upward (default z), or keeps the picture's frame",
+    )  # fmt: skip
     group.add_argument("--necker", action="store_true", help="the mirrored reading: near and far exchanged")
     group.add_argument("--no-beautify", action="store_true", help="leave nearly right angles and equal lengths alone")
     group.add_argument("--ngons", action="store_true", help="OBJ: whole faces instead of triangles")

@@ -69,13 +69,15 @@ def _lift_options(arguments: Namespace) -> LiftOptions | None:
 
     options = LiftOptions(
         projection=arguments.projection,
-        depth=arguments.depth,
         width=arguments.width,
         height=arguments.height,
+        depth=arguments.depth,
+        fit=arguments.fit,
         depth_ratio=arguments.depth_ratio,
         unit=arguments.unit,
         up=arguments.up,
         necker=arguments.necker,
+        reading=arguments.reading,
         beautify=not arguments.no_beautify,
     )
     return None if options == LiftOptions() else options

@@ -159,7 +159,7 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
         _write_all(task, result, written)
     except Exception as error:
         return report_failure(task, error, size=size, written=written)
-    return Outcome(task.name, objects=len(result.objects), confidence=min(float(o.confidence) for o in result.objects))
+    return Outcome(task.name, objects=len(result.objects), confidence=min(result.confidences))
 
 
 def _reconstruct(picture: Picture, settings: Settings, read_ms: float) -> Answer:

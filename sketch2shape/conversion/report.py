@@ -66,8 +66,21 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
         "solid": {
             "vertices": _points(solid.vertices, _LENGTH_DECIMALS),
             "unit": solid.unit,
+            "dimensions": [round(d, _LENGTH_DECIMALS) for d in solid.dimensions],
+            "confidence": round(float(solid.confidence), 4),
+            "camera": None if solid.camera is None else plain(solid.camera),
             "warnings": list(solid.warnings),
         },
+        "alternatives": [
+            {
+                "reading": other.reading,
+                "mirrored": other.mirrored,
+                "projection": {"family": other.projection.family, **plain(other.projection.evidence)},
+                "dimensions": [round(d, _LENGTH_DECIMALS) for d in other.dimensions],
+                "probability": other.probability,
+            }
+            for other in solid.alternatives
+        ],
         "lines": obj.lines,
         "connectors": {"f1": obj.connectors[0], "f2": obj.connectors[1]},
         "noise": round(float(obj.noise), 3),

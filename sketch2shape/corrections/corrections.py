@@ -36,7 +36,7 @@ _MOST_VERTICES, _MOST_OBJECTS, _FARTHEST = 2000, 200, 1e6
 _FAMILIES = ("auto", "oblique", "axonometric", "perspective")
 _SIZES = ("width", "height", "depth")
 #: what a report says of an object beyond what can be corrected
-_FINDINGS = frozenset({"edges", "confidence", "solid", "lines", "connectors", "noise", "f2_drawn"})
+_FINDINGS = frozenset({"edges", "confidence", "solid", "alternatives", "lines", "connectors", "noise", "f2_drawn"})
 _OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "projection", *_SIZES})
 
 

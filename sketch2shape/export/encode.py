@@ -7,6 +7,7 @@ from pathlib import PurePath
 from typing import Any
 
 from sketch2shape.errors import NoObjectError, UsageError
+from sketch2shape.export.units import in_millimetres
 from sketch2shape.model import Answer, Solid
 
 #: format -> what it is
@@ -27,6 +28,9 @@ FORMATS: dict[str, str] = {
 
 #: formats that hold the solid itself
 MESH_FORMATS = ("obj", "stl", "stl-ascii", "ply", "glb", "3mf", "off", "step")
+
+#: formats that have no word for the unit: programs take their numbers as millimetres
+_UNITLESS = ("obj", "stl", "stl-ascii", "ply", "off")
 
 _SUFFIXES = {**{name: name for name in FORMATS if name != "stl-ascii"}, "stp": "step"}
 
@@ -52,6 +56,8 @@ def encode(result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool
     solids = (many,) if isinstance(many, Solid) else tuple(many)
     if not solids:
         raise NoObjectError("there is no object to write")
+    if format in _UNITLESS:
+        solids = tuple(in_millimetres(solids))
     return _obj(solids, ngons=ngons) if format == "obj" else _ENCODERS[format](solids)
 
 
@@ -92,17 +98,20 @@ def _through_trimesh(file_type: str) -> Callable[[Sequence[Solid]], bytes]:
 
 
 def _glb(solids: Sequence[Solid]) -> bytes:
-    """glTF with a named mesh for each solid; its unit is the metre, a pixel counts as one unit."""
+    """glTF with a named mesh for each solid, as it asks in metres and y upward; a pixel counts as a millimetre."""
+    import numpy as np
     from trimesh import Scene
 
     from sketch2shape.export.mesh import to_trimesh
     from sketch2shape.export.units import MILLIMETRES
 
+    turns = {"z": [[1, 0, 0], [0, 0, 1], [0, -1, 0]], "y": np.eye(3), "camera": np.diag([1, -1, -1])}
     scene: Any = Scene()
     for number, solid in enumerate(solids, 1):
         mesh: Any = to_trimesh(solid)
-        if solid.unit != "px":
-            mesh.apply_scale(MILLIMETRES[solid.unit] / 1000.0)
+        place = np.eye(4)
+        place[:3, :3] = np.array(turns[solid.up], float) * (MILLIMETRES[solid.unit] / 1000.0)
+        mesh.apply_transform(place)
         scene.add_geometry(mesh, geom_name=f"object_{number}", node_name=f"object_{number}")
     return bytes(scene.export(file_type="glb"))
 

@@ -26,3 +26,11 @@ class Answer:
     picture: Picture
     timings_ms: dict[str, float] = field(default_factory=dict)
     error: Sketch2ShapeError | None = None
+
+    @property
+    def confidences(self) -> tuple[float, ...]:
+        """How sure each answer is as a whole: the lesser of the object's confidence and the solid's."""
+        return tuple(
+            min(float(obj.confidence), float(solid.confidence))
+            for obj, solid in zip(self.objects, self.solids, strict=True)
+        )

@@ -92,6 +92,6 @@ def _legend_row(canvas: Canvas, obj: TwoFaceObject, solid: Solid, y: float, unit
         canvas.box(x, y - 1.5 * unit, 18 * unit, 3 * unit, colour)
         canvas.words((x + 24 * unit, y), label, size, INK, "lm")
         x += 24 * unit + text_width(label, size) + 20 * unit
-    words = f"{solid.projection.family}, confidence {obj.confidence:.2f}"
+    words = f"{solid.projection.family}, confidence {min(obj.confidence, solid.confidence):.2f}"
     if x + text_width(words, size) < canvas.width - 17 * unit:
         canvas.words((canvas.width - 17 * unit, y), words, size, MUTED, "rm")

@@ -40,7 +40,7 @@ def facts(result: Answer) -> list[tuple[str, str]]:
             ("Faces", str(len(solid.faces))),
             ("Size", " × ".join(f"{s:.4g}" for s in size) + f" {solid.unit}"),
             ("Projection", solid.projection.family),
-            ("Confidence", f"{obj.confidence:.2f}"),
+            ("Confidence", f"{min(obj.confidence, solid.confidence):.2f}"),
         ]
         rows += [("Assumed", warning) for warning in solid.warnings]
     return rows or [("Status", "no two-face object found")]

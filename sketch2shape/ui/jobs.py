@@ -118,9 +118,9 @@ def _described(result: Answer) -> dict[str, Any]:
                 "f1": _rounded(obj.f1),
                 "f2": _rounded(obj.f2),
                 "holes": [{"f1": _rounded(h.f1), "f2": _rounded(h.f2)} for h in obj.holes],
-                "confidence": round(float(obj.confidence), 3),
+                "confidence": round(sure, 3),
             }
-            for obj in result.objects
+            for obj, sure in zip(result.objects, result.confidences, strict=True)
         ],
         "solid": shape(result),
         "facts": [

@@ -33,6 +33,11 @@ def test_every_option_reaches_the_lifting():
     assert mesh_options(arguments) == {"ngons": True}
 
 
+def test_another_reading_a_fit_and_the_pictures_frame_can_be_asked_for():
+    arguments = parse(["a.png", "--reading", "2", "--fit", "50mm", "--up", "camera"])
+    assert stage_options(arguments)["lift"] == LiftOptions(reading=2, fit="50mm", up="camera")
+
+
 @pytest.mark.parametrize("words", [["--depth", "banana"], ["--width=-3mm"], ["--depth-ratio", "0"]])
 def test_sizes_that_make_no_sense_are_usage_errors(words):
     with pytest.raises(UsageError):

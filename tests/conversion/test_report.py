@@ -10,6 +10,7 @@ import pytest
 from sketch2shape import __version__
 from sketch2shape.conversion.report import encode_report, plain, report
 from sketch2shape.errors import NoObjectError
+from sketch2shape.lifting import lift
 from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
@@ -50,6 +51,22 @@ def test_keys_of_the_contract(answer):
     assert obj["confidence"] == 0.95
     assert obj["connectors"] == {"f1": "split-walk", "f2": "ink"}
     assert obj["solid"]["unit"] == "mm"
+    assert obj["solid"]["confidence"] == 1.0
+    assert obj["solid"]["camera"] is None
+    assert obj["alternatives"] == []
+
+
+def test_the_solids_confidence_camera_and_alternatives_are_told():
+    obj = TwoFaceObject(20 * SQUARE, 20 * SQUARE + [60, -60], confidence=0.95)
+    solid = lift(obj)
+    (told,) = report(Result((obj,), (solid,), Picture(np.zeros((20, 30, 3), np.uint8))))["objects"]
+    assert told["confidence"] == 0.95
+    assert told["solid"]["confidence"] == pytest.approx(solid.confidence, abs=1e-4)
+    assert np.array(told["solid"]["camera"]).shape == (3, 4)
+    assert told["solid"]["camera"][2] == [0.0, 0.0, 0.0, 1.0]
+    assert [other["reading"] for other in told["alternatives"]] == [a.reading for a in solid.alternatives]
+    assert told["alternatives"][0]["projection"]["family"] == "oblique"
+    assert len(told["alternatives"][0]["dimensions"]) == 3
 
 
 def test_edges_index_f1_then_holes_then_f2_as_the_solid_does(answer):

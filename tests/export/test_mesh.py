@@ -1,4 +1,5 @@
 import io
+from dataclasses import replace
 
 import manifold3d
 import numpy as np
@@ -71,7 +72,7 @@ def test_formats_give_the_solid_back(format, count):
     assert mesh.is_watertight
     assert mesh.is_winding_consistent
     assert len(mesh.vertices) == 20 * count
-    assert mesh.volume == pytest.approx(7.5 * count, rel=1e-4)
+    assert mesh.volume == pytest.approx(7.5 * count * (1e-9 if format == "glb" else 1.0), rel=1e-4)
     assert len(mesh.split()) == count
 
 
@@ -95,3 +96,24 @@ def test_format_is_known_by_its_extension():
 def test_nothing_is_not_written(format):
     with pytest.raises(NoObjectError):
         encode([], format)
+
+
+@pytest.mark.parametrize("format", ["obj", "stl", "stl-ascii", "ply", "off"])
+@pytest.mark.parametrize(("unit", "millimetres"), [("px", 1.0), ("mm", 1.0), ("cm", 10.0), ("in", 25.4), ("m", 1000.0)])
+def test_formats_without_units_are_in_millimetres(format, unit, millimetres):
+    data = encode(replace(prism([L_SHAPE]), unit=unit), format)
+    mesh = trimesh.load(io.BytesIO(data), file_type=format.split("-")[0], force="mesh")
+    assert np.ptp(mesh.vertices, axis=0) == pytest.approx(millimetres * np.ptp(prism([L_SHAPE]).vertices, axis=0))
+
+
+@pytest.mark.parametrize(
+    ("up", "turned"),
+    [("z", lambda v: v[:, [0, 2, 1]] * [1, 1, -1]), ("y", lambda v: v), ("camera", lambda v: v * [1, -1, -1])],
+)
+def test_gltf_is_in_metres_with_y_upward(up, turned):
+    solid = replace(prism([L_SHAPE]), unit="cm", up=up)
+    mesh = trimesh.load(io.BytesIO(encode(solid, "glb")), file_type="glb", force="mesh")
+    order = np.lexsort(np.round(mesh.vertices, 6).T)
+    want = turned(solid.vertices) / 100.0
+    assert np.asarray(mesh.vertices)[order] == pytest.approx(want[np.lexsort(np.round(want, 6).T)], abs=1e-6)
+    assert mesh.volume > 0

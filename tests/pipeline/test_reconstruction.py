@@ -5,12 +5,14 @@ import io
 import cv2
 import numpy as np
 import pytest
+import trimesh
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 from PIL import Image
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, line, outline, paper, prism, same_object, shrunk
 
 import sketch2shape as s2s
+from sketch2shape.command import main
 from sketch2shape.model.drawing import ring_edges
 from sketch2shape.reading.limits import Limits
 
@@ -215,3 +217,19 @@ def test_any_prism_or_frustum_is_found_exactly_or_refused(f1, slope, depth, tape
     except s2s.NoObjectError:
         return
     assert same_object(obj, f1, f2, 3.0 + width) or obj.confidence < 0.9
+
+
+def test_an_isometric_cube_becomes_a_cube_on_the_table(tmp_path):
+    """The maker's line: sketch2shape iso_cube.png -o cube.stl --width 40mm."""
+    side, c, s = 180.0, np.cos(np.pi / 6), np.sin(np.pi / 6)
+    right, left, up = side * np.array([c, -s]), side * np.array([-c, -s]), side * np.array([0.0, -1.0])
+    corner = np.array([320.0, 460.0])
+    sheet = np.full((640, 640), 255, np.uint8)
+    for a, b in ((right, left), (right, up), (left, up)):
+        ring = [corner, corner + a, corner + a + b, corner + b]
+        cv2.polylines(sheet, [np.round(ring).astype(np.int32)], True, 0, 3, cv2.LINE_AA)
+    cv2.imwrite(str(tmp_path / "iso_cube.png"), sheet)
+    assert main([str(tmp_path / "iso_cube.png"), "-o", str(tmp_path / "cube.stl"), "--width", "40mm"]) == 0
+    mesh = trimesh.load(tmp_path / "cube.stl")
+    assert np.ptp(mesh.vertices, axis=0) == pytest.approx(40.0, rel=1e-3)
+    assert mesh.vertices[:, 2].min() == pytest.approx(0.0, abs=1e-4)
