@@ -16,11 +16,12 @@ import time
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import minimize
 
 from sketch2shape.lifting import lift
 from sketch2shape.lifting.decision import all_readings
 from sketch2shape.lifting.projection import prepare
-from sketch2shape.lifting.trust import Option, cues, options_of
+from sketch2shape.lifting.trust import Option, belief, cues, options_of
 from sketch2shape.model import Bools, Floats, Lines, Solid, TwoFaceObject
 
 VIEWS = (
@@ -99,7 +100,9 @@ def _side(face: Floats) -> float:
 
 def _face(rng: np.random.Generator) -> Floats:
     """A profile, y down, that people draw."""
-    kind = str(rng.choice(["square", "box", "box", "L", "T", "U", "stairs", "house", "wedge", "arrow", "polygon"]))
+    kind = str(
+        rng.choice(["square", "box", "box", "L", "T", "U", "stairs", "house", "wedge", "arrow", "polygon", "lean"])
+    )
     a, b = (float(x) for x in rng.choice([1.0, 1.5, 2.0, 3.0], 2))
     t, s = (float(x) for x in rng.uniform(0.3, 0.6, 2))
     rings: dict[str, list[list[float]]] = {
@@ -111,6 +114,7 @@ def _face(rng: np.random.Generator) -> Floats:
         "stairs": [[0, 0], [3, 0], [3, 1], [2, 1], [2, 2], [1, 2], [1, 3], [0, 3]],
         "house": [[0, 0], [1.6, 0], [1.6, 1 + t / 2], [0.8, 1.5 + s], [0, 1 + t / 2]],
         "wedge": [[0, 0], [1.8, 0], [1.8, 0.6 + t], [0, 2.5 * t * t]],
+        "lean": [[0, 0], [a, 0], [a + t, b], [t, b]],
         "arrow": [[0, 0.3], [a, 0.3], [a, 0], [a + 1, 0.6], [a, 1.2], [a, 0.9], [0, 0.9]],
     }
     if kind == "polygon":
@@ -213,14 +217,16 @@ def main() -> None:
         for key in (case.view, f"shaken {case.shaken:g}", ("even half", "odd half")[k % 2], "all"):
             rows[key].append(good[-1])
         if args.fit:
-            told.append(cues(readings_of(case.obj), 0))
+            options = readings_of(case.obj)
+            told.append([belief(options, 0), *cues(options[0].shape)])
     for key, goods in sorted(rows.items()):
         print(f"{key:14s} {len(goods):5d} {np.mean(goods):7.1%}")
     right, confidence = np.array(good), np.array(sure)
     if args.fit:
-        weights = _logistic(np.array(told)[::2], right[::2])
+        cases = np.array(told)
+        weights = _fitted(cases[::2], right[::2])
         print("weights", np.round(weights, 3).tolist())
-        confidence = 1.0 / (1.0 + np.exp(-np.array(told) @ weights))
+        confidence = cases[:, 0] / (1.0 + np.exp(-cases[:, 1:] @ weights))
     for name, half in (("even", slice(0, None, 2)), ("odd", slice(1, None, 2))):
         above = confidence[half] >= SURE
         print(f"sure, {name} half: {above.mean():.1%} of the cases, {right[half][above].mean():.1%} of them meant")
@@ -231,15 +237,15 @@ def main() -> None:
     print(f"{1000 * (time.process_time() - start) / args.cases:.1f} ms each")
 
 
-def _logistic(cases: Floats, right: Bools) -> Floats:
-    """Weights of cases' cues (n, k) by maximum likelihood, with a trace of a prior at zero."""
-    weights = np.zeros(cases.shape[1])
-    for _ in range(30):
-        p = 1.0 / (1.0 + np.exp(-cases @ weights))
-        slope = cases.T @ (right - p) - 0.1 * weights
-        bend = (cases * (p * (1.0 - p))[:, None]).T @ cases + 0.1 * np.eye(len(weights))
-        weights = weights + np.linalg.solve(bend, slope)
-    return weights
+def _fitted(cases: Floats, right: Bools) -> Floats:
+    """Weights of the cues by maximum likelihood; cases (n, 1 + k): the belief, then the cues."""
+
+    def unlikely(weights: Floats) -> float:
+        p = np.clip(cases[:, 0] / (1.0 + np.exp(-cases[:, 1:] @ weights)), 1e-6, 1.0 - 1e-6)
+        return -float(np.log(np.where(right, p, 1.0 - p)).sum())
+
+    start = np.append(4.0, np.zeros(cases.shape[1] - 2))
+    return np.asarray(minimize(unlikely, start, method="Nelder-Mead", options={"maxiter": 4000}).x)
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ _BEND = 0.4
 _GIVEN = 1.0
 
 #: log odds that a degree of lean costs a prism over a parallelogram
-_LEAN = 0.12
+_LEAN = 0.06
 
 #: faces whose relation is this much less likely than the best cannot win by being regular, log odds
 _HOPELESS = 7.0
@@ -232,12 +232,11 @@ def _of_parallel(faces: _Faces, ratio: float | None) -> Iterator[Reading]:
             return  # that is a parallelogram
         fit += parallels_odds(relations, faces.noise)
     kind = fit if faces.taper == 1.0 else fit + faces.tapered
-    for found in read_parallel(faces.face, faces.d, relations, faces.noise, wobble):
+    for found in read_parallel(faces.face, faces.d, relations, faces.noise, wobble, aslant=faces.upright):
         if found.pose is not None:
-            if faces.upright:
-                yield _axonometric(faces, replace(found, odds=kind + found.odds))
+            yield _axonometric(faces, replace(found, odds=kind + found.odds))
             continue
-        given = found.odds + (_GIVEN if faces.straight and faces.order is None else 0.0)
+        given = found.odds - _leaning(faces, faces.face) + (_GIVEN if faces.straight and faces.order is None else 0.0)
         yield from _oblique(faces, kind + given, ratio)
         if faces.facing > -math.inf:
             yield Reading("one-point", "perspective", fit + faces.facing + given, 1.0, lambda: _facing(faces))
@@ -269,15 +268,18 @@ def _made(faces: _Faces, make: Callable[[], Shape]) -> Shape:
 
 def _axonometric(faces: _Faces, found: ParallelReading) -> Reading:
     face, d, pose = faces.face, faces.d, found.pose or Pose(0.0, 0.0)
-    odds = found.odds
-    if faces.drawing.sizes == [4] and faces.taper == 1.0:
-        odds -= _LEAN * lean(face @ axonometric_maps(np.array([pose.slant]), d)[0])
+    odds = found.odds - _leaning(faces, face @ axonometric_maps(np.array([pose.slant]), d)[0])
 
     def make() -> Shape:
         fine = refined_pose(found.view, pose) if found.name == "axonometric" else pose
         return faces.placed(axonometric_shape(face, faces.drawing.sizes, fine.turned(d), fine.slant))
 
     return Reading(_named(found.name, faces), "axonometric", odds, found.held, make)
+
+
+def _leaning(faces: _Faces, true: Floats) -> float:
+    """Log odds that a true face (m, 2) costs for being a parallelogram that leans."""
+    return _LEAN * lean(true) if faces.straight and faces.taper == 1.0 else 0.0
 
 
 def _named(name: str, faces: _Faces) -> str:

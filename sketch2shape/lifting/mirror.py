@@ -24,16 +24,14 @@ def find_mirror(shape: Shape, noise: float) -> Ints | None:
     if n < _LEAST or len(shape.sizes) > 1:
         return None
     ring = shape.flat - shape.flat.mean(axis=0)
-    angles, every = _angles(ring), np.arange(n)
-    best, found = (_OF_FEW if n <= _FEW else _NOISE) * noise**2, None
-    for shift in range(n):
-        mates = (shift - every) % n
-        across = _across(ring, angles, mates)
-        reflected = ring[mates] - 2.0 * (ring[mates] @ across)[:, None] * across
-        off = float((((reflected - ring) @ shape.to_drawing) ** 2).sum()) / (4.0 * n)
-        if off < best:
-            best, found = off, mates
-    return found
+    every = np.arange(n)
+    mates = (every[:, None] - every) % n
+    across = _across(ring, _angles(ring), mates)
+    images = ring[mates]
+    reflected = images - 2.0 * (images @ across[:, :, None]) * across[:, None]
+    off = (((reflected - ring) @ shape.to_drawing) ** 2).sum(axis=(1, 2)) / (4.0 * n)
+    best = int(off.argmin())
+    return np.asarray(mates[best]) if off[best] < (_OF_FEW if n <= _FEW else _NOISE) * noise**2 else None
 
 
 def mirror_rows(ring: Floats, mates: Ints, angles: Floats | None = None) -> Floats:
@@ -43,7 +41,7 @@ def mirror_rows(ring: Floats, mates: Ints, angles: Floats | None = None) -> Floa
     mates  : (n,) the image of each
     angles : (n,) directions that the edges shall have, radians; None as they have
     """
-    across = _across(ring, _angles(ring) if angles is None else angles, mates)
+    (across,) = _across(ring, _angles(ring) if angles is None else angles, mates[None])
     return _rows(mates, across)
 
 
@@ -54,17 +52,18 @@ def _angles(ring: Floats) -> Floats:
 
 
 def _across(ring: Floats, angles: Floats, mates: Ints) -> Floats:
-    """(2,) unit vector along the chords of a mirror symmetry.
+    """(s, 2) unit vectors along the chords of mirror symmetries with these (s, n) images.
 
     The mirror halves the angle between each edge and its image, which fixes it up to quarter turns.
     """
-    x, y = (ring - ring[mates]).T
-    lean = 0.5 * float(np.arctan2(2.0 * (x * y).sum(), (x * x - y * y).sum()))
-    image = np.roll(mates, -1)
+    x, y = (ring - ring[mates]).transpose(2, 0, 1)
+    lean = 0.5 * np.arctan2(2.0 * (x * y).sum(axis=1), (x * x - y * y).sum(axis=1))
+    image = np.roll(mates, -1, axis=1)
     long = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
-    halves = 0.25 * float(np.angle((long * long[image]) @ np.exp(2j * (angles + angles[image]))))
+    doubled = long * np.exp(2j * angles)
+    halves = 0.25 * np.angle(doubled[image] @ doubled)
     lean += (halves - lean + np.pi / 4) % (np.pi / 2) - np.pi / 4
-    return np.array([np.cos(lean), np.sin(lean)])
+    return np.stack([np.cos(lean), np.sin(lean)], axis=1)
 
 
 def _rows(mates: Ints, across: Floats) -> Floats:

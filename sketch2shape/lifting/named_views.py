@@ -22,8 +22,11 @@ _SLOPPY = math.radians(0.4)
 #: how likely an edge of a face drawn in such a view runs along an axis
 _ALONG = 0.97
 
+#: part of the oblique drawings whose edges run along all three isometric axes that were not meant so
+_TRIAD = 0.95
+
 #: how likely no edge runs along one of the two axes
-_ONE_AXIS = 0.05
+_ONE_AXIS = 0.1
 
 #: slants of a face across an axis: all alike in an isometric view; in the dimetric one, across its half axis or another
 ISOMETRIC = math.acos(1.0 / math.sqrt(3.0))
@@ -63,9 +66,9 @@ def _views() -> tuple[NamedView, ...]:
     for side in (1.0, -1.0):
         flat, steep = -side * _FLAT, side * _STEEP
         found += [
-            NamedView("dimetric", 1, steep, (flat, up), 0.02),
-            NamedView("dimetric", 2, flat, (steep, up), 0.01),
-            NamedView("dimetric", 2, up, (flat, steep), 0.01),
+            NamedView("dimetric", 1, steep, (flat, up), 0.03),
+            NamedView("dimetric", 2, flat, (steep, up), 0.015),
+            NamedView("dimetric", 2, up, (flat, steep), 0.015),
         ]
     return tuple(found)
 
@@ -92,9 +95,27 @@ def view_odds(view: NamedView, toward: float, wobble: float, angle: Floats, spre
     normal = math.pi * math.exp(-0.5 * (off_axis(view, toward) / width) ** 2) / (width * math.sqrt(2.0 * math.pi))
     if normal < 1e-4:
         return -math.inf
-    wide = np.sqrt(spread**2 + _SLOPPY**2)
-    near = np.array([np.exp(-0.5 * (between(angle, axis) / wide) ** 2) for axis in view.axes])
+    near, wide = _near(view, angle, spread)
     along = float((near @ (weight / wide)).sum()) / math.sqrt(2.0 * math.pi)
-    both = float(near.max(axis=1).prod())
     odds = math.log(view.belief * normal) + math.log(1.0 - _ALONG + _ALONG * 0.5 * math.pi * along)
-    return odds + math.log(_ONE_AXIS + (_ALONG - _ONE_AXIS) * both)
+    return odds + math.log(_ONE_AXIS + (_ALONG - _ONE_AXIS) * float(near.max(axis=1).prod()))
+
+
+def triad_odds(toward: float, wobble: float, angle: Floats, spread: Floats) -> float:
+    """Log odds of an oblique drawing whose edges run along all three isometric axes: they do so by chance alone.
+
+    As in `view_odds`.
+    """
+    width = math.hypot(wobble, _SLOPPY)
+    chances = [
+        math.exp(-0.5 * (off_axis(view, toward) / width) ** 2) * float(_near(view, angle, spread)[0].max(axis=1).prod())
+        for view in VIEWS
+        if view.name == "isometric"
+    ]
+    return math.log(1.0 - _TRIAD * max(chances))
+
+
+def _near(view: NamedView, angle: Floats, spread: Floats) -> tuple[Floats, Floats]:
+    """(2, k) how near each edge runs to each axis, 1 if along it, and (k,) how sure its direction is, radians."""
+    wide = np.sqrt(spread**2 + _SLOPPY**2)
+    return np.array([np.exp(-0.5 * (between(angle, axis) / wide) ** 2) for axis in view.axes]), wide

@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from sketch2shape.lifting.named_views import FREE, SLANTS, VIEWS, off_axis, view_odds
+from sketch2shape.lifting.named_views import FREE, SLANTS, VIEWS, off_axis, triad_odds, view_odds
 from sketch2shape.lifting.regularity import (
     Bearings,
     Candidates,
@@ -44,11 +44,12 @@ _STEEP, _STEEP_COST = np.deg2rad(2.0), 2.0
 #: directions with less than this part of the longest one's length do not tell how a face is held
 _LONG = 0.3
 
-#: how likely a face in true shape has an edge drawn level, and the log odds against the page being held askew
-_LEVEL, _ASKEW = 0.96, 1.0
+#: how likely a face in true shape has an edge drawn level, and if its edges have two directions only; and the log odds
+#: against the page being held askew
+_LEVEL, _LEVEL_CROSSED, _ASKEW = 0.97, 0.996, 1.0
 
 #: angles at which receding edges of an oblique drawing rise, radians, and how likely it is that each of them is used
-_RECEDING = {math.pi / 6: 0.05, math.pi / 4: 0.32, math.pi / 3: 0.1}
+_RECEDING = {math.pi / 6: 0.12, math.pi / 4: 0.28, math.pi / 3: 0.1}
 
 #: poses whose proportions differ by less than this (of the logarithm) are one solid to a person
 _SAME = 0.12
@@ -63,7 +64,7 @@ _AFLOAT = 0.1
 _STANDING = 0.3
 
 #: log odds of an oblique drawing against any axonometric one before anything is seen
-_OBLIQUE_PRIOR = -1.2
+_OBLIQUE_PRIOR = -0.5
 
 
 @dataclass(frozen=True)
@@ -142,7 +143,7 @@ class _Trials:
     @cached_property
     def steps(self) -> Floats:
         """(4 + h g,) how much further the next slant stretches, of the logarithm."""
-        free = np.tan(self.slants) * abs(float(self.slants[1] - self.slants[0]))
+        free = np.tan(self.slants) * (abs(float(self.slants[1] - self.slants[0])) if len(self.slants) else 0.0)
         return np.concatenate([np.zeros(_NAMED), *[free] * len(self.turns)])
 
     @cached_property
@@ -153,6 +154,7 @@ class _Trials:
 
 
 _STILL = _Trials(_SLANTS, _NO_TURN, np.ones(1))
+_FLAT = _Trials(np.zeros(0), _NO_TURN, np.ones(1))
 
 
 def _alike() -> Bools:
@@ -164,7 +166,9 @@ def _alike() -> Bools:
 _ALIKE = _alike()
 
 
-def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float, wobble: float) -> list[ParallelReading]:
+def read_parallel(
+    face: Floats, d: Floats, relations: Relations, noise: float, wobble: float, *, aslant: bool = True
+) -> list[ParallelReading]:
     """The ways to read the drawing with their log odds: oblique and axonometric, and each named view that it may be.
 
     face      : (m, 2) pixels, all rings
@@ -172,12 +176,13 @@ def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float, w
     relations : what could be regular about the face as drawn
     noise     : standard deviation of a vertex of the face, pixels
     wobble    : standard deviation of the direction of d, radians
+    aslant    : may the face be foreshortened?
     """
     long = math.hypot(*d.tolist())
     t = d / long
     vectors = relations.rows @ face
     along, across = vectors @ t, vectors @ np.array([-t[1], t[0]])
-    trials = _STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS)
+    trials = (_STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS)) if aslant else _FLAT
     found = _stretched(along, across, trials)
     turned = bearings(relations, found, noise)
     angle, spread = _as_drawn(t, turned, len(relations.edges))
@@ -186,8 +191,11 @@ def read_parallel(face: Floats, d: Floats, relations: Relations, noise: float, w
     view = StretchedFace(relations, along, across, t, wobble, noise, rests / rests.sum())
     regular = score(relations, found, turned, noise)
     oblique = float(regular[0]) + _OBLIQUE_PRIOR + _level_odds(relations, angle, spread)
+    oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread)
     oblique += _usual_odds(view) - _steep_cost(view, turned.angle[0, : len(spread)], spread)
     readings = [ParallelReading("oblique", oblique, None, 1.0, view)]
+    if not aslant:
+        return readings
     readings += _named(view, regular[1:_NAMED] + _isotropy_odds(relations, found)[1:_NAMED], angle, spread)
     return readings + _free(view, trials, regular[_NAMED:] + _pose_odds(view, trials, found, turned))
 
@@ -375,7 +383,9 @@ def _level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:
     off: Floats = between(angle, np.zeros(1))
     upright = bool((np.pi / 2 - off < 3.0 * spread + np.deg2rad(1.0)).any())
     off[relations.lengths < _LONG * relations.lengths.max()] = np.pi / 2
-    belief = 0.6 if relations.rows.shape[1] == 3 and not upright else _LEVEL  # a triangle often stands on its tip
+    belief = _LEVEL_CROSSED if len(relations.edges) == 2 else _LEVEL
+    if relations.rows.shape[1] == 3 and not upright:
+        belief = 0.6  # a triangle often stands on its tip
     exact = log_odds(off, np.hypot(spread, np.deg2rad(0.5)), belief, np.pi / 2)
     askew = log_odds(off, np.hypot(spread, np.deg2rad(4.0)), belief, np.pi / 2)
     return float(max(exact.max(), askew.max() - _ASKEW))

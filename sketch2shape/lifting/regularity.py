@@ -28,7 +28,7 @@ _IRREGULAR = 0.3
 _RIGHT, _RIGHT_AT_CORNER = 0.18, 0.27
 
 #: the same where a face's edges have two directions only
-_SQUARE = 0.85
+_SQUARE = 0.5
 
 #: other angles between adjacent edges, and the prior odds that such an angle was meant
 _ANGLES = np.deg2rad([60.0, 45.0, 72.0, 30.0])
@@ -217,12 +217,11 @@ def _angle_odds(relations: Relations, turned: Bearings) -> Floats:
     corner = np.flatnonzero(relations.adjacent)
     crossed = len(relations.edges) == 2
     right = _SQUARE if crossed else _RIGHT + _RIGHT_AT_CORNER * relations.adjacent
-    meant = _MEANT * (1.0 - _SQUARE) if crossed else _MEANT
     odds = (np.pi * _PEAK * right) * sharp * np.exp(-0.5 * ((turn - np.pi / 2) * sharp) ** 2)
-    odds += 1.0 - right - meant.sum() * relations.adjacent
+    odds += 1.0 - right - _MEANT.sum() * relations.adjacent
     sharp = sharp[:, corner]
     others = np.exp(-0.5 * ((turn[:, corner, None] - _ANGLES) * sharp[..., None]) ** 2)
-    odds[:, corner] += (others @ (0.5 * np.pi * _PEAK * meant)) * sharp
+    odds[:, corner] += (others @ (0.5 * np.pi * _PEAK * _MEANT)) * sharp
     told = np.log(odds)
     if crossed:
         return np.asarray(told[:, 0])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -47,21 +47,19 @@ def lift(
     drawing = prepare(obj)
     problem = _degenerate(drawing)
     if problem:
-        return _solid(_default(drawing, problem), drawing, options, picture_size)
+        return _solid(_sized(_default(drawing, problem), options), drawing, options, picture_size)
     ways = options_of(_allowed(all_readings(drawing, options.depth_ratio), options), wire=obj.lines == "wire")
     if options.reading > len(ways):
         raise UsageError(f"there are only {len(ways)} readings", remedy=f"a reading from 1 to {len(ways)}")
     chosen = options.reading - 1
-    tidied = {id(way.shape): _tidied(way, drawing, options) for way in ways if not way.mirrored}
-    shapes = [tidied[id(way.shape)] for way in ways]
-    shapes = [_mirrored(s) if way.mirrored != options.necker else s for s, way in zip(shapes, ways, strict=True)]
-    solids = [_solid(shape, drawing, options, picture_size) for shape in shapes]
+    sized = [_sized(shape, options) for shape in _tidied(ways, drawing, options)]
     others = tuple(
-        Alternative(way.reading.name, way.mirrored, solid.projection, solid.dimensions, round(way.probability, 4))
-        for k, (way, solid) in enumerate(zip(ways, solids, strict=True))
+        Alternative(way.reading.name, way.mirrored, s.projection(picture_size), s.dimensions, round(way.probability, 4))
+        for k, (way, s) in enumerate(zip(ways, sized, strict=True))
         if k != chosen
     )
-    return replace(solids[chosen], confidence=sureness(ways, chosen), alternatives=others)
+    solid = _solid(sized[chosen], drawing, options, picture_size)
+    return replace(solid, confidence=sureness(ways, chosen), alternatives=others)
 
 
 def _allowed(readings: list[Reading], options: LiftOptions) -> list[Reading]:
@@ -71,8 +69,25 @@ def _allowed(readings: list[Reading], options: LiftOptions) -> list[Reading]:
     return [r for r in readings if r.family == options.projection] or [r for r in readings if r.family != "perspective"]
 
 
-def _tidied(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:
-    """The shape made regular, with what is to be said about it."""
+def _tidied(ways: list[Option], drawing: Drawing, options: LiftOptions) -> list[Shape]:
+    """The shapes made regular, with what is to be said about them."""
+    faces: dict[tuple[int, float], Shape] = {}
+    shapes: list[Shape] = []
+    for way in ways:
+        shape = _described(way, drawing, options)
+        if options.beautify and shape.family == "oblique":
+            # readings that differ in depth alone share their face
+            key = id(way.shape.flat), shape.taper
+            fine = faces.setdefault(key, faces[key] if key in faces else beautified(shape))
+            shape = replace(shape, flat=fine.flat, evidence={**fine.evidence, **shape.evidence})
+        elif options.beautify:
+            shape = beautified(shape)
+        shapes.append(_mirrored(shape) if way.mirrored != options.necker else shape)
+    return shapes
+
+
+def _described(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:
+    """The shape with its evidence and warnings."""
     shape, r = way.shape, drawing.relation
     warnings = list(shape.warnings)
     if options.projection == "perspective" and shape.family != "perspective":
@@ -87,21 +102,57 @@ def _tidied(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:
         "homothety_rms_px": round(r.homothety_rms, 3),
         "face_scale": round(r.scale, 4),
     }
-    shape = replace(shape, evidence={**evidence, **shape.evidence}, warnings=tuple(warnings))
-    return beautified(shape) if options.beautify else shape
+    return replace(shape, evidence={**evidence, **shape.evidence}, warnings=tuple(warnings))
 
 
-def _solid(shape: Shape, drawing: Drawing, options: LiftOptions, picture_size: tuple[int, int] | None) -> Solid:
-    """The shape in the size, unit and frame asked for."""
+@dataclass(frozen=True)
+class _Sized:
+    """A shape and the sizes it shall have.
+
+    shape    : it, in pixels
+    vertices : (2m, 3) its vertices in the viewer's axes, pixels
+    looks    : (3, 3) unit rows: right, up and away of it set upright, in the viewer's axes
+    own      : (3,) width, height and depth, pixels
+    factors  : (3,) what they are to be multiplied by
+    warnings : what is to be said about the sizes
+    """
+
+    shape: Shape
+    vertices: Floats
+    looks: Floats
+    own: Floats
+    factors: Floats
+    warnings: tuple[str, ...]
+
+    @property
+    def dimensions(self) -> tuple[float, float, float]:
+        """Width, height and depth in the unit asked for."""
+        width, height, depth = (self.own * self.factors).tolist()
+        return width, height, depth
+
+    def projection(self, picture_size: tuple[int, int] | None) -> Projection:
+        """How it is projected."""
+        seen = {} if picture_size is None else {"picture_size": [int(n) for n in picture_size]}
+        return Projection(self.shape.family, {**self.shape.evidence, **seen})
+
+
+def _sized(shape: Shape, options: LiftOptions) -> _Sized:
     vertices = shape.vertices
     through = _through(vertices)
     looks = standing(own_axes(vertices[: len(shape.flat)], through, shape.sizes))
     free = int(np.abs(looks @ through).argmax()) if shape.free else None
-    factors, warnings = measured(np.ptp(vertices @ looks.T, axis=0), free, options)
+    own = np.ptp(vertices @ looks.T, axis=0)
+    factors, warnings = measured(own, free, options)
+    return _Sized(shape, vertices, looks, own, factors, (*shape.warnings, *warnings))
+
+
+def _solid(sized: _Sized, drawing: Drawing, options: LiftOptions, picture_size: tuple[int, int] | None) -> Solid:
+    """The solid in the size, unit and frame asked for."""
+    looks, shape = sized.looks, sized.shape
     turn = frame(looks, options.up)
     place = np.eye(4)
-    place[:3, :3] = turn @ (looks.T * factors) @ looks
-    moved = vertices @ place[:3, :3].T
+    place[:3, :3] = turn @ (looks.T * sized.factors) @ looks
+    moved = sized.vertices @ place[:3, :3].T
     if options.up != "camera":
         origin = 0.5 * (moved.min(axis=0) + moved.max(axis=0))
         height = 2 if options.up == "z" else 1
@@ -109,14 +160,11 @@ def _solid(shape: Shape, drawing: Drawing, options: LiftOptions, picture_size: t
         place[:3, 3] = -origin
         moved = moved - origin
     camera = drawing.to_picture @ shape.camera @ np.linalg.inv(place)
-    evidence = dict(shape.evidence)
-    if picture_size is not None:
-        evidence["picture_size"] = [int(n) for n in picture_size]
     return Solid(
         two_face_boundary(moved, shape.sizes),
-        Projection(shape.family, evidence),
+        sized.projection(picture_size),
         options.solid_unit,
-        (*shape.warnings, *warnings),
+        sized.warnings,
         looks @ turn.T,
         options.up,
         camera / np.linalg.norm(camera[2]),

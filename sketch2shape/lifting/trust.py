@@ -16,13 +16,10 @@ from sketch2shape.model import Floats
 _SAME = 0.12
 
 #: a solid less likely than this is no alternative, and there are no more than so many
-_RARE, _MOST = 0.02, 4
+_RARE, _MOST = 0.03, 4
 
 #: weights of the `cues`, fitted by `python scripts/calibrate_lifting.py --fit`
-WEIGHTS = np.array([4.817, 0.308, -1.596, -0.246])
-
-#: beliefs nearer than this to 0 or 1 are not told apart
-_LEAST = 1e-3
+WEIGHTS = np.array([8.929, -2.521, -0.084])
 
 #: lengths of this many standard deviations are as good as exact
 _SURE = 200.0
@@ -98,24 +95,25 @@ def _form(shape: Shape) -> Floats:
     return form
 
 
-def cues(options: list[Option], chosen: int) -> Floats:
-    """What tells how sure the proportions of one of the solids are, a constant first.
-
-    The log odds of its readings; then how uncertain the shakiest edge is, and the depth unless that is free anyway
-    (logarithms of the relative standard deviations).
-    """
+def belief(options: list[Option], chosen: int) -> float:
+    """How likely it is that the proportions of one of the solids are those drawn, whatever the hand shook."""
     own = options[chosen]
     agree = [o for o in options if o is own or (own.is_oblique and o.is_oblique) or o.mirrored != own.mirrored]
-    belief = min(max(own.held * sum(o.probability for o in agree), _LEAST), 1.0 - _LEAST)
-    shape = own.shape
+    return min(float(own.held * sum(o.probability for o in agree)), 1.0)
+
+
+def cues(shape: Shape) -> Floats:
+    """What tells how well the drawing tells a shape's proportions, a constant first.
+
+    How uncertain the shakiest edge is, and the depth unless that is free anyway: logarithms of the relative standard
+    deviations.
+    """
     drawn = np.hypot(*(edge_vectors(shape.flat, shape.sizes) @ shape.to_drawing).T)
-    edge = float(drawn.min()) / max(shape.noise, 1e-9)
-    depth = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2])) / max(shape.noise, 1e-9)
-    depth = _SURE if own.is_oblique or shape.family == "oblique" else max(depth, 1.0)
-    logs = [-math.log(min(max(size, 1.0), _SURE) / _SURE) for size in (edge, depth)]
-    return np.array([1.0, math.log(belief / (1.0 - belief)), *logs])
+    depth = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2]))
+    sizes = np.array([float(drawn.min()), math.inf if shape.family == "oblique" else depth]) / max(shape.noise, 1e-9)
+    return np.append(1.0, -np.log(np.clip(sizes, 1.0, _SURE) / _SURE))
 
 
 def sureness(options: list[Option], chosen: int) -> float:
     """How sure the proportions of one of the solids are, 0 to 1."""
-    return 1.0 / (1.0 + math.exp(-float(WEIGHTS @ cues(options, chosen))))
+    return belief(options, chosen) / (1.0 + math.exp(-float(WEIGHTS @ cues(options[chosen].shape))))
