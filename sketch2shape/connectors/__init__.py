@@ -1,4 +1,4 @@
-"""Connectors: order the unordered vertices of a face into its polygon.
+"""Order the unordered vertices of a face into its polygon: the connectors.
 
 >>> from sketch2shape.connectors import connect
 >>> connect([[0, 0], [2, 2], [2, 0], [0, 2]], method="split-walk").tolist()
