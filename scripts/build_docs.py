@@ -33,6 +33,7 @@ def gather(folder: Path) -> None:
     """All pages of the site in the folder."""
     shutil.copytree(ROOT / "docs", folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.html", "__pycache__"))
     shutil.copy(ROOT / "LICENSE", folder / "LICENSE.txt")
+    shutil.copy(ROOT / "CITATION.cff", folder)
     for name, other in BESIDE.items():
         text = (ROOT / name).read_text("utf-8")
         (folder / (other or name)).write_text(_moved(text), "utf-8")

@@ -7,7 +7,7 @@ from typing import Any
 
 import griffe
 
-ENTRY = re.compile(r"^(\w[\w*, ]*?)\s*: (\S.*)$")
+ENTRY = re.compile(r"^([\w*]+(?:, [\w*]+)*)\s*: (\S.*)$")
 
 
 def with_lists(text: str) -> str:

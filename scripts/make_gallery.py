@@ -20,16 +20,13 @@ import sketch2shape as s2s
 from sketch2shape.pictures import overlay, preview_of
 
 DRAWINGS = Path(__file__).resolve().parents[1] / "data" / "synthetic"
-TILE = (300, 225)
+TILE = (320, 240)
 """Width and height of one picture, pixels; three of them make a strip."""
 
 HEAD = """# Gallery
 
 Made by `scripts/make_gallery.py` from `data/synthetic`: the first drawing of each kind, what is found in it (front face
 blue, back face orange), and the solid. All of them are drawn by the generator of test drawings.
-
-| kind | drawing, what is found, solid | confidence |
-|---|---|---:|
 """
 
 
@@ -50,7 +47,10 @@ def strip(drawing: Path) -> tuple[bytes, str]:
         tiles, said = [tile(s2s.read_picture(drawing).pixels)], f"refused: {error.message}"
     else:
         pictures = (result.picture.pixels, overlay(result, legend=False), preview_of(result))
-        tiles, said = [tile(pixels) for pixels in pictures], f"{min(o.confidence for o in result.objects):.2f}"
+        tiles, said = (
+            [tile(pixels) for pixels in pictures],
+            f"confidence {min(o.confidence for o in result.objects):.2f}",
+        )
     sheet = Image.new("RGB", (TILE[0] * len(tiles), TILE[1]), "white")
     for at, picture in enumerate(tiles):
         sheet.paste(picture, (at * TILE[0], 0))
@@ -68,7 +68,7 @@ def write_gallery(folder: Path, kinds: str = "*") -> None:
         data, said = strip(drawing)
         (folder / "gallery" / f"{place.name}.jpg").write_bytes(data)
         name = place.name.replace("_", " ")
-        rows.append(f"| {name} | ![{name}](gallery/{place.name}.jpg) | {said} |\n")
+        rows.append(f"\n## {name}\n\n![{name}](gallery/{place.name}.jpg)\n\n{said}\n")
     (folder / "gallery.md").write_text(HEAD + "".join(rows), "utf-8")
 
 

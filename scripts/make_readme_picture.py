@@ -6,9 +6,11 @@ python scripts/make_readme_picture.py
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+from PIL import Image, ImageDraw
 from repository import ROOT
 
 from sketch2shape.model.picture import Picture
@@ -18,18 +20,40 @@ from synthetic.drawing import draw
 
 TARGET = ROOT / "docs" / "readme.png"
 TILE = (400, 300)
-SHOWN = (("photo_wire", "house"), ("annotated_dashed", "stairs"), ("blueprint_removed", "star"))
+SHOWN = (("photo_dashed", "L", 1), ("annotated_dashed", "stairs", 0), ("blueprint_removed", "star", 0))
+"""Category, shape and number of each drawing."""
+TITLES = (
+    ("a photo of a sketch", "a textbook figure", "a blueprint, hidden edges left out"),
+    ("what is found: the front face blue, the back face orange, edges behind them dashed",),
+    ("the solid, exact and watertight: for a 3-D printer, CAD, a viewer",),
+)
+"""What stands above each row; several titles share the width."""
+BAND = 36
+"""Height of the line of text above a row, pixels."""
 
 
 def main() -> None:
     columns = []
     with tempfile.TemporaryDirectory() as scratch:
-        for category, shapes in SHOWN:
-            path = draw(category, 12, 0, shapes=shapes).save(Path(scratch))
+        for category, shapes, number in SHOWN:
+            path = draw(category, 12, number, shapes=shapes).save(Path(scratch))
             result = reconstruct(path)
             solid = preview(result.solids, TILE)
-            columns.append(np.vstack([framed(result.picture), framed_pixels(overlay(result, legend=False)), solid]))
-    TARGET.write_bytes(encode_png(np.hstack(columns)))
+            columns.append((framed(result.picture), framed_pixels(overlay(result, legend=False)), solid))
+    rows = [np.hstack(tiles) for tiles in zip(*columns, strict=True)]
+    titled = [part for titles, row in zip(TITLES, rows, strict=True) for part in (band(titles, row.shape[1]), row)]
+    TARGET.write_bytes(encode_png(np.vstack(titled)))
+
+
+def band(titles: Sequence[str], width: int) -> np.ndarray:
+    """A white band with the titles in the middle of equal parts of its width."""
+    from sketch2shape.pictures.canvas import font
+
+    sheet = Image.new("RGB", (width, BAND), "white")
+    for at, title in enumerate(titles):
+        middle = (width * (2 * at + 1) / (2 * len(titles)), BAND / 2)
+        ImageDraw.Draw(sheet).text(middle, title, (60, 60, 60), font(20), anchor="mm")
+    return np.asarray(sheet)
 
 
 def framed(picture: Picture) -> np.ndarray:

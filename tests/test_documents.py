@@ -94,6 +94,13 @@ def test_what_the_checks_look_at_is_found() -> None:
     assert not there("reading/nothing.py")
 
 
+def test_figures_of_the_readme_stand_in_the_results() -> None:
+    results = (ROOT / "docs" / "results.md").read_text("utf-8")
+    figures = re.findall(r"(\d+(?:\.\d+)?) %", (ROOT / "README.md").read_text("utf-8"))
+    assert len(figures) >= 4
+    assert [figure for figure in figures if not re.search(rf"\b{re.escape(figure)}\b", results)] == []
+
+
 def rows(page: str) -> Iterator[list[str]]:
     """The cells of each row of a page's tables."""
     for line in (ROOT / "docs" / page).read_text("utf-8").splitlines():
