@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import json
 import re
@@ -78,6 +79,22 @@ def test_commands_of_the_cookbook_run(line: str, folder: Path) -> None:
     outputs = [b for a, b in pairwise(words) if a in ("-o", "--html", "--report", "--index")]
     assert outputs
     assert all((folder / output).exists() for output in outputs)
+
+
+def test_the_notebook_runs_and_its_values_show_themselves(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(DOCS)
+    cells = json.loads((DOCS / "notebook.ipynb").read_text("utf-8"))["cells"]
+    names: dict[str, object] = {}
+    shown = []
+    for cell in (cell for cell in cells if cell["cell_type"] == "code"):
+        assert cell["outputs"] == [], "clear the outputs before it is committed"
+        *steps, last = ast.parse("".join(cell["source"])).body
+        exec(compile(ast.Module(steps, []), "notebook", "exec"), names)
+        ends_in_value = isinstance(last, ast.Expr)
+        code = ast.Expression(last.value) if ends_in_value else ast.Module([last], [])
+        shown.append(eval(compile(code, "notebook", "eval" if ends_in_value else "exec"), names))
+    assert "<" in shown[0]._repr_html_()
+    assert all(repr(value) for value in shown)
 
 
 @pytest.mark.parametrize("page", sorted(DOCS.glob("*.md")), ids=lambda p: p.name)
