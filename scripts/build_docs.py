@@ -80,6 +80,14 @@ def reference_page() -> str:
     return "\n".join(parts)
 
 
+def build(pages: Path, site: Path) -> int:
+    """The site of gathered pages; the exit code of mkdocs, 1 where a link is broken."""
+    # not --quiet: warnings that are not shown are not counted as errors
+    call = [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site.resolve())]
+    known = {**os.environ, "SKETCH2SHAPE_PAGES": str(pages), "NO_MKDOCS_2_WARNING": "1"}
+    return subprocess.run(call, cwd=ROOT, env=known).returncode
+
+
 def main() -> int:
     """Gather and build; the exit code is that of mkdocs."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -91,19 +99,7 @@ def main() -> int:
         return 0
     with tempfile.TemporaryDirectory() as folder:
         gather(Path(folder))
-        call = [
-            sys.executable,
-            "-m",
-            "mkdocs",
-            "build",
-            "--strict",
-            "--quiet",
-            "--site-dir",
-            str(options.site.resolve()),
-        ]
-        # the theme's makers ask users to stop: not in a log that is read for broken links
-        known = {**os.environ, "SKETCH2SHAPE_PAGES": folder, "NO_MKDOCS_2_WARNING": "1"}
-        return subprocess.run(call, cwd=ROOT, env=known).returncode
+        return build(Path(folder), options.site)
 
 
 if __name__ == "__main__":

@@ -59,3 +59,13 @@ def test_entries_of_docstrings_become_lists(site: ModuleType) -> None:
         "What it is: a thing.\n\n- **width**: of it, as\n    40mm\n- **height**: the same\n\n- **Raises**: nothing here"
     )
     assert lists.with_lists(text) == made
+
+
+def test_a_broken_link_ends_the_build(site: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("mkdocs", reason="mkdocs is part of the extra `docs`")
+    pages = tmp_path / "pages"
+    monkeypatch.setattr(site, "write_gallery", lambda folder: (folder / "gallery.md").write_text("# Gallery\n"))
+    site.gather(pages)
+    assert site.build(pages, tmp_path / "site") == 0
+    (pages / "gallery.md").write_text("[nowhere](nowhere.md)\n")
+    assert site.build(pages, tmp_path / "site") == 1
