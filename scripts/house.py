@@ -24,11 +24,12 @@ from io import BytesIO
 from pathlib import Path
 from typing import TypeVar
 
-from markdown_table import table
+from repository import ROOT
+
+from evaluation.markdown import table
 
 Node = TypeVar("Node", bound=Hashable)
 
-HERE = Path(__file__).resolve().parents[1]
 PACKAGE = "sketch2shape"
 
 
@@ -139,7 +140,7 @@ def climbing(edges: Iterable[tuple[str, str]], rows: list[list[str]]) -> list[tu
 
 def at_revision(revision: str, folder: Path) -> House:
     """The house as it was at a git revision; its files are put into `folder`."""
-    packed = subprocess.run(["git", "archive", revision, PACKAGE], cwd=HERE, check=True, capture_output=True).stdout
+    packed = subprocess.run(["git", "archive", revision, PACKAGE], cwd=ROOT, check=True, capture_output=True).stdout
     with tarfile.open(fileobj=BytesIO(packed)) as archive:
         archive.extractall(folder, filter="data")
     return read(folder)
@@ -175,11 +176,11 @@ def main() -> int:
     parser.add_argument("--picture", metavar="FILE.svg", type=Path, help="draw the rooms and their edges")
     parser.add_argument("--list", action="store_true", help="name every import that reaches past a face")
     options = parser.parse_args()
-    house = read(HERE)
+    house = read(ROOT)
     if options.picture:
         from house_picture import picture
 
-        options.picture.write_text(picture(house, layers(HERE)), "utf-8")
+        options.picture.write_text(picture(house, layers(ROOT)), "utf-8")
         return 0
     columns = [figures(house)]
     if options.before:
