@@ -32,6 +32,13 @@ DRAWINGS = {
 }
 """Name that the pages use -> a committed drawing."""
 
+TRIED = [
+    line
+    for page in ("cookbook.md", "solids.md")
+    for line in COMMAND.findall((DOCS / page).read_text("utf-8"))
+    if line != "ui"
+]
+
 
 @pytest.fixture
 def folder(tmp_path: Path, drawings: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -70,8 +77,8 @@ def test_python_of_a_page_runs(page: Path, folder: Path) -> None:
         exec(compile(block.replace("result.export(...)", "result.mesh"), page.name, "exec"), names)
 
 
-@pytest.mark.parametrize("line", [c for c in COMMAND.findall((DOCS / "cookbook.md").read_text("utf-8")) if c != "ui"])
-def test_commands_of_the_cookbook_run(line: str, folder: Path) -> None:
+@pytest.mark.parametrize("line", TRIED)
+def test_commands_that_are_shown_run(line: str, folder: Path) -> None:
     words = line.split()
     if "--resume" in words:
         assert main([word for word in words if word != "--resume"]) == 0
