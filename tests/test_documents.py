@@ -21,6 +21,10 @@ HISTORY = "CHANGELOG.md"
 """It tells of what has gone, too."""
 
 
+SERVED = ("ui", "serve")
+"""First words that have options of their own."""
+
+
 def spans(text: str) -> Iterator[str]:
     """What stands between single backticks, outside of blocks of code."""
     prose = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
@@ -70,7 +74,7 @@ OF_OTHERS = {
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
 def test_commands_that_are_shown_are_understood(page: Path) -> None:
     for words in commands(page.read_text("utf-8")):
-        if words[:1] != ["ui"] and not {"--help", "--version"} & set(words):
+        if words[0] not in SERVED and not {"--help", "--version"} & set(words):
             parse(words)
 
 
