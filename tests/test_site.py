@@ -45,9 +45,9 @@ def test_every_page_is_in_the_contents(site: ModuleType) -> None:
 def test_the_gallery_shows_answers_and_refusals(site: ModuleType, tmp_path: Path) -> None:
     gallery = importlib.import_module("make_gallery")
     gallery.write_gallery(tmp_path, "cut")
-    assert "![cut](gallery/cut.jpg)\n\nconfidence 0." in (tmp_path / "gallery.md").read_text("utf-8")
+    assert "![cut](gallery/cut.jpg)\n\nright; confidence 0." in (tmp_path / "gallery.md").read_text("utf-8")
     gallery.write_gallery(tmp_path, "negative")
-    assert "refused: " in (tmp_path / "gallery.md").read_text("utf-8")
+    assert "right; refused: " in (tmp_path / "gallery.md").read_text("utf-8")
     assert {p.name for p in (tmp_path / "gallery").iterdir()} == {"cut.jpg", "negative.jpg"}
 
 
