@@ -14,13 +14,13 @@ from PIL import Image, ImageDraw
 from repository import ROOT
 
 from sketch2shape.model.picture import Picture
-from sketch2shape.pictures import encode_png, overlay, preview
+from sketch2shape.pictures import encode_png, overlay, preview_of
 from sketch2shape.pipeline import reconstruct
 from synthetic.drawing import draw
 
 TARGET = ROOT / "docs" / "readme.png"
 TILE = (400, 300)
-SHOWN = (("photo_dashed", "L", 1), ("annotated_dashed", "stairs", 0), ("blueprint_removed", "star", 0))
+SHOWN = (("photo_dashed", "L", 1), ("annotated_dashed", "house", 2), ("blueprint_removed", "star", 0))
 """Category, shape and number of each drawing."""
 TITLES = (
     ("a photo of a sketch", "a textbook figure", "a blueprint, hidden edges left out"),
@@ -38,7 +38,7 @@ def main() -> None:
         for category, shapes, number in SHOWN:
             path = draw(category, 12, number, shapes=shapes).save(Path(scratch))
             result = reconstruct(path)
-            solid = preview(result.solids, TILE)
+            solid = preview_of(result, TILE)
             columns.append((framed(result.picture), framed_pixels(overlay(result, legend=False)), solid))
     rows = [np.hstack(tiles) for tiles in zip(*columns, strict=True)]
     titled = [part for titles, row in zip(TITLES, rows, strict=True) for part in (band(titles, row.shape[1]), row)]
