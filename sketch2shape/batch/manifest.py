@@ -145,7 +145,9 @@ class Manifest:
         self._write([done[item.name] for item in self._plan.items if item.name in done])
 
     def _write(self, lines: list[str]) -> None:
-        write_file(self.path, "".join([_line(self._header), *lines]).encode("ascii"), overwrite=True)
+        text = "".join([_line(self._header), *lines])
+        # a folder from a stranger may hold a link of this name, and no one has asked for what it leads to
+        write_file(self.path, text.encode("ascii"), overwrite=True, follow_links=False)
 
 
 def _line(record: Mapping[str, Any]) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from sketch2shape.batch.plan import Planned
 from sketch2shape.conversion.convert import Outcome
 from sketch2shape.errors import NoObjectError, Sketch2ShapeError, UsageError
-from sketch2shape.writing import write_file
+from sketch2shape.writing import exists_error, write_file
 
 if TYPE_CHECKING:
     from sketch2shape.pictures import Entry
@@ -21,10 +21,14 @@ Rows = Iterable[tuple[Planned, Outcome]]
 
 
 def check_pages(arguments: Namespace) -> None:
-    """Raise UsageError if the pages cannot be written under the names given."""
+    """Raise UsageError if the pages cannot be written under the names given, WriteError if they are there already."""
     for path, ending in ((arguments.index, ".html"), (arguments.contact_sheet, ".png")):
-        if path and not path.lower().endswith(ending):
+        if not path:
+            continue
+        if not path.lower().endswith(ending):
             raise UsageError(f"{path} does not end in {ending}", remedy=f"FILE{ending}")
+        if os.path.lexists(path) and not (arguments.overwrite or arguments.resume):
+            raise exists_error(PurePath(path))
 
 
 def write_pages(arguments: Namespace, rows: Rows) -> None:

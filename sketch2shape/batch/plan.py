@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import unicodedata
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 
 from sketch2shape.conversion.convert import Output
+from sketch2shape.conversion.inputs import fold, keep_inputs
 from sketch2shape.conversion.products import infixed, suffix
 from sketch2shape.errors import UnreadableError, UsageError, WriteError
 from sketch2shape.reading.read import SUFFIXES
@@ -62,13 +62,17 @@ def make_plan(inputs: Sequence[str], out: str | None, products: Sequence[str], *
     pairs = sorted((PurePath(os.path.relpath(path, base)).as_posix(), path) for path in found)
     names = [name for name, _ in pairs]
     endings = [suffix(product) for product in products]
+    if len(set(endings)) < len(endings):
+        twice = next(e for e in endings if endings.count(e) > 1)
+        both = " and ".join(p for p, e in zip(products, endings, strict=True) if e == twice)
+        raise UsageError(f"{both} would both be written to NAME{twice}", remedy="a run for each of them")
     stems = name_outputs(names, endings)
     root = base if out is None else out
     items = []
     for (name, path), stem in zip(pairs, stems, strict=True):
         files = (os.path.join(root, stem + ending) for ending in endings)
         items.append(Planned(path, name, tuple(map(Output, products, files))))
-    _keep_inputs(items)
+    keep_inputs((item.path for item in items), (o.path for item in items for o in item.outputs))
     return Plan(root, tuple(items), sum(stem != _stem(name) for stem, name in zip(stems, names, strict=True)))
 
 
@@ -121,11 +125,6 @@ def _same(one: str, other: str) -> bool:
         return os.path.abspath(one) == os.path.abspath(other)
 
 
-def fold(path: str) -> str:
-    """One key for all spellings that some file system holds to be the same name."""
-    return unicodedata.normalize("NFC", unicodedata.normalize("NFD", path).casefold())
-
-
 def name_outputs(names: Sequence[str], endings: Sequence[str]) -> list[str]:
     """A stem for each input so that no two outputs share a name on any file system."""
     stems = [_stem(name) for name in names]
@@ -150,14 +149,6 @@ def _candidates(short: str, name: str, alone: bool) -> Iterator[str]:
     while True:
         yield f"{name}~{number}"
         number += 1
-
-
-def _keep_inputs(items: Sequence[Planned]) -> None:
-    inputs = {fold(os.path.abspath(item.path)) for item in items}
-    for item in items:
-        for output in item.outputs:
-            if fold(os.path.abspath(output.path)) in inputs:
-                raise UsageError(f"{output.path} would replace an input", remedy="-o with another folder")
 
 
 def settle(plan: Plan, *, versioned: bool, ours: Collection[str] = ()) -> Plan:

@@ -20,6 +20,7 @@ from sketch2shape.batch.pool import run_tasks
 from sketch2shape.batch.progress import Progress, follow
 from sketch2shape.batch.table import check_table, encode_table, show_summary, summary
 from sketch2shape.conversion.convert import Outcome, Settings, Task
+from sketch2shape.conversion.inputs import keep_inputs
 from sketch2shape.conversion.products import PICTURES, product_of, products_of, wants_pages
 from sketch2shape.errors import InterruptedRunError, UsageError
 from sketch2shape.writing import FolderLock, exists_error, make_folder, sweep, write_file, write_stdout
@@ -41,6 +42,7 @@ def run_batch(arguments: Namespace, settings: Settings, work: Work) -> int:
     options = options_hash(settings, products)
     past = load_past(out or common_folder(arguments.inputs))
     plan = _plan(arguments, out, products, past, options)
+    _keep_inputs(plan, arguments)
     if arguments.dry_run:
         lines = (f"{item.path}\t{output.path}\n" for item in plan.items for output in item.outputs)
         write_stdout(b"".join(map(os.fsencode, lines)))
@@ -91,6 +93,14 @@ def _plan(arguments: Namespace, out: str | None, products: list[str], past: Past
         items = tuple(replace(item, outputs=past.planned.get(item.name, item.outputs)) for item in plan.items)
         return settle(replace(plan, items=items), versioned=arguments.versioned, ours=past.files)
     return plan if arguments.overwrite else settle(plan, versioned=arguments.versioned)
+
+
+def _keep_inputs(plan: Plan, arguments: Namespace) -> None:
+    """Raise UsageError if anything the run writes would replace a picture or the corrections."""
+    given = [item.path for item in plan.items] + list(filter(None, [arguments.vertices]))
+    keep_inputs(given, filter(None, (arguments.report, arguments.index, arguments.contact_sheet)))
+    if arguments.vertices:
+        keep_inputs([arguments.vertices], (o.path for item in plan.items for o in item.outputs))
 
 
 class _Batch:

@@ -42,8 +42,18 @@ def encode_table(path: str, rows: Iterable[tuple[Planned, Outcome]]) -> bytes:
     out = io.StringIO(newline="")
     writer = csv.DictWriter(out, _COLUMNS, lineterminator="\n")
     writer.writeheader()
-    writer.writerows({**record, "outputs": "|".join(record["outputs"])} for record in records)
+    for record in records:
+        cells = {**record, "outputs": "|".join(record["outputs"])}
+        writer.writerow({column: _cell(value) for column, value in cells.items()})
     return out.getvalue().encode("utf-8", "backslashreplace")
+
+
+def _cell(value: Any) -> Any:
+    """A cell that no spreadsheet takes for a formula: a text that looks like one gets an apostrophe, as in `'=1+1.png`.
+
+    Source: OWASP, CSV Injection.
+    """
+    return "'" + value if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t", "\r")) else value
 
 
 def _record(item: Planned, outcome: Outcome) -> dict[str, Any]:

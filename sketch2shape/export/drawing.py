@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sketch2shape.export.mesh import settled
 from sketch2shape.model import Floats, Solid, TwoFaceObject
 from sketch2shape.solids import edge_runs, front_rings
 
@@ -19,7 +20,13 @@ LAYERS = ("visible", "hidden")
 #: gap between faces laid side by side, as a part of the widest
 _GAP = 0.1
 
-_SVG = '<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{x:.6g} {y:.6g} {w:.6g} {h:.6g}">\n{body}\n</svg>\n'
+#: width of the line around a face laid flat, as a part of the face's longer side
+_STROKE = 0.003
+
+#: $INSUNITS of a DXF file: what one drawing unit is; 0 for pixels, which are no length
+_DXF_UNITS = {"px": 0, "in": 1, "mm": 4, "cm": 5, "m": 6}
+
+_SVG = '<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{x:.9g} {y:.9g} {w:.9g} {h:.9g}">\n{body}\n</svg>\n'
 
 
 @dataclass(frozen=True)
@@ -67,7 +74,7 @@ def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> st
             (x1, y1), (x2, y2) = line.start, line.end
             layer = "VISIBLE" if line.visible else "HIDDEN"
             entities += ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
-    return _dxf({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities)
+    return _dxf({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities, "px")
 
 
 def face_svg(solids: Sequence[Solid]) -> str:
@@ -76,14 +83,17 @@ def face_svg(solids: Sequence[Solid]) -> str:
     high = max((float(np.ptp(face[0][:, 1])) for face in faces), default=1.0)
     wide = max((float(face[0][:, 0].max()) for face in faces), default=1.0)
     unit = solids[0].unit if solids else "px"
-    size = f'width="{wide:.6g}{unit}" height="{high:.6g}{unit}"' if unit != "m" else ""
-    stroke = 0.003 * max(wide, high)
+    stroke = _STROKE * max(wide, high)
+    # the page is the view box, edge strokes included, at full size; SVG has no metres
+    factor, written = (1000.0, "mm") if unit == "m" else (1.0, unit)
+    page = [extent + 2 * stroke for extent in (wide, high)]
+    size = 'width="{:.9g}{unit}" height="{:.9g}{unit}"'.format(*(factor * p for p in page), unit=written)
     paths = [
         f'<path id="face_{number}" fill="none" fill-rule="evenodd" stroke="black" stroke-width="{stroke:.4g}" '
         f'd="{_path(face)}"/>'
         for number, face in enumerate(faces, 1)
     ]
-    return _SVG.format(size=size, x=-stroke, y=-stroke, w=wide + 2 * stroke, h=high + 2 * stroke, body="\n".join(paths))
+    return _SVG.format(size=size, x=-stroke, y=-stroke, w=page[0], h=page[1], body="\n".join(paths))
 
 
 def face_dxf(solids: Sequence[Solid]) -> str:
@@ -95,7 +105,8 @@ def face_dxf(solids: Sequence[Solid]) -> str:
             for x, y in ring:
                 entities += ["0", "VERTEX", "8", layer, *_pair(10, x, -y)]
             entities += ["0", "SEQEND", "8", layer]
-    return _dxf({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities)
+    unit = solids[0].unit if solids else "px"
+    return _dxf({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities, unit)
 
 
 def _svg_layer(lines: list[DrawnLine], layer: str) -> str:
@@ -114,30 +125,32 @@ def _laid_out(solids: Sequence[Solid]) -> list[list[Floats]]:
     left = 0.0
     for face in flat:
         corner = face[0].min(axis=0)
-        moved = [ring - corner + [left, 0.0] for ring in face]
+        moved = [settled(ring - corner + [left, 0.0]) for ring in face]
         faces.append(moved)
         left = float(moved[0][:, 0].max()) + gap
     return faces
 
 
 def _path(face: list[Floats]) -> str:
-    rings = ("L".join(f"{x:.6g} {y:.6g}" for x, y in ring) for ring in face)
+    rings = ("L".join(f"{x:.9g} {y:.9g}" for x, y in ring) for ring in face)
     return " ".join(f"M{ring}Z" for ring in rings)
 
 
 def _pair(code: int, x: float, y: float) -> list[str]:
-    return [str(code), f"{x:.6f}", str(code + 10), f"{y:.6f}"]
+    return [str(code), f"{x + 0.0:.6f}", str(code + 10), f"{y + 0.0:.6f}"]  # no -0
 
 
-def _dxf(layers: dict[str, str], entities: list[str]) -> str:
-    """A whole release 12 file around the entities."""
+def _dxf(layers: dict[str, str], entities: list[str], unit: str) -> str:
+    """A whole release 12 file around the entities, that names its unit."""
     line_types = ["0", "LTYPE", "2", "CONTINUOUS", "70", "0", "3", "Solid", "72", "65", "73", "0", "40", "0.0"]
     line_types += ["0", "LTYPE", "2", "DASHED", "70", "0", "3", "Dashed", "72", "65", "73", "2", "40", "12.0"]
     line_types += ["49", "8.0", "49", "-4.0"]
     table: list[str] = []
     for name, line_type in layers.items():
         table += ["0", "LAYER", "2", name, "70", "0", "62", "7" if line_type == "CONTINUOUS" else "8", "6", line_type]
-    rows = ["0", "SECTION", "2", "HEADER", "9", "$ACADVER", "1", "AC1009", "0", "ENDSEC"]
+    rows = ["0", "SECTION", "2", "HEADER", "9", "$ACADVER", "1", "AC1009"]
+    rows += ["9", "$INSUNITS", "70", str(_DXF_UNITS[unit]), "9", "$MEASUREMENT", "70", "0" if unit == "in" else "1"]
+    rows += ["0", "ENDSEC"]
     rows += ["0", "SECTION", "2", "TABLES", "0", "TABLE", "2", "LTYPE", "70", "2", *line_types, "0", "ENDTAB"]
     rows += ["0", "TABLE", "2", "LAYER", "70", str(len(layers)), *table, "0", "ENDTAB", "0", "ENDSEC"]
     rows += ["0", "SECTION", "2", "ENTITIES", *entities, "0", "ENDSEC", "0", "EOF"]

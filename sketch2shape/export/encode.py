@@ -97,6 +97,19 @@ def _through_trimesh(file_type: str) -> Callable[[Sequence[Solid]], bytes]:
     return encoder
 
 
+def _stl_ascii(solids: Sequence[Solid]) -> bytes:
+    """STL as text, all solids under one name: few programs read a second one."""
+    from sketch2shape.export.mesh import to_trimesh
+
+    mesh = to_trimesh(solids)
+    lines = ["solid sketch2shape"]
+    for normal, corners in zip(mesh.face_normals.tolist(), mesh.triangles.tolist(), strict=True):
+        rows = ["vertex {:.9g} {:.9g} {:.9g}".format(*corner) for corner in corners]
+        head = "facet normal {:.9g} {:.9g} {:.9g}".format(*(n + 0.0 for n in normal))
+        lines += [head, "outer loop", *rows, "endloop", "endfacet"]
+    return ("\n".join([*lines, "endsolid sketch2shape"]) + "\n").encode()
+
+
 def _glb(solids: Sequence[Solid]) -> bytes:
     """glTF with a named mesh for each solid, as it asks in metres and y upward; a pixel counts as a millimetre."""
     import numpy as np
@@ -142,7 +155,7 @@ def _face_dxf(solids: Sequence[Solid]) -> bytes:
 
 _ENCODERS: dict[str, Callable[[Sequence[Solid]], bytes]] = {
     "stl": _through_trimesh("stl"),
-    "stl-ascii": _through_trimesh("stl_ascii"),
+    "stl-ascii": _stl_ascii,
     "ply": _through_trimesh("ply"),
     "off": _through_trimesh("off"),
     "glb": _glb,

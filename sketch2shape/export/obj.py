@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sketch2shape.export.mesh import settled
 from sketch2shape.model import Solid
 from sketch2shape.solids import face_triangles
 
@@ -19,7 +20,7 @@ def obj_text(solids: Sequence[Solid], *, ngons: bool = False) -> str:
     start = 1
     for number, solid in enumerate(solids, 1):
         lines.append(f"o object_{number}")
-        lines += [f"v {x:.10g} {y:.10g} {z:.10g}" for x, y, z in solid.vertices.tolist()]
+        lines += [f"v {x:.10g} {y:.10g} {z:.10g}" for x, y, z in settled(solid.vertices).tolist()]
         lines += ["f " + " ".join(str(i + start) for i in face) for face in _polygons(solid, ngons)]
         start += len(solid.vertices)
     return "\n".join(lines) + "\n"

@@ -9,6 +9,7 @@ import io
 import zipfile
 from collections.abc import Sequence
 
+from sketch2shape.export.mesh import settled
 from sketch2shape.model import Solid
 from sketch2shape.solids import triangulated
 
@@ -51,7 +52,7 @@ def threemf_bytes(solids: Sequence[Solid]) -> bytes:
 
 
 def _object(number: int, solid: Solid) -> str:
-    vertices = "".join(f'<vertex x="{x:.9g}" y="{y:.9g}" z="{z:.9g}"/>' for x, y, z in solid.vertices.tolist())
+    vertices = "".join(f'<vertex x="{x:.9g}" y="{y:.9g}" z="{z:.9g}"/>' for x, y, z in settled(solid.vertices).tolist())
     triangles = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in triangulated(solid).tolist())
     return (
         f'<object id="{number}" type="model" name="object {number}"><mesh>'

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from sketch2shape.writing.files import (
-    FolderLock,
-    exists_error,
-    make_folder,
-    quiet_stderr,
-    sweep,
-    write_file,
-    write_stdout,
-)
+from sketch2shape.writing.files import FolderLock, exists_error, make_folder, sweep, write_file
+from sketch2shape.writing.streams import is_stream, quiet_stderr, write_stdout
 
-__all__ = ["FolderLock", "exists_error", "make_folder", "quiet_stderr", "sweep", "write_file", "write_stdout"]
+__all__ = [
+    "FolderLock",
+    "exists_error",
+    "is_stream",
+    "make_folder",
+    "quiet_stderr",
+    "sweep",
+    "write_file",
+    "write_stdout",
+]

@@ -3,19 +3,23 @@
 The bytes go to a temporary file beside the target, are flushed to the disk, and then take the target's name in one
 step: by a hard link where nothing may be replaced (it fails if the name is taken), by a rename otherwise. While a
 temporary file is being written it is locked, so that a later run can tell a leftover from one in use.
+
+A file that is replaced hands its permissions on, and its owner where the system allows it. A symbolic link is followed:
+the file it leads to is replaced, the link stays. A pipe or a device is written into, it cannot be replaced.
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
-import sys
-import tempfile
-from collections.abc import Iterator
+import secrets
+import stat
+import time
 from pathlib import Path
-from typing import BinaryIO
 
 from sketch2shape.errors import WriteError
+from sketch2shape.writing.streams import is_stream, write_stream
 
 try:
     import fcntl
@@ -23,28 +27,82 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 _PREFIX, _SUFFIX = ".sketch2shape-", ".tmp"
+#: a temporary file this old is a leftover where the system has no locks to tell, seconds: writing takes a few at most
+_ABANDONED = 600.0
+_PERMISSIONS = 0o7777
 
 
-def write_file(path: str | os.PathLike[str], data: bytes, *, overwrite: bool = False) -> None:
-    """Write `data` to `path`, creating its folders. Raises WriteError; then `path` is as it was before."""
+def write_file(
+    path: str | os.PathLike[str], data: bytes, *, overwrite: bool = False, follow_links: bool = True
+) -> None:
+    """Write `data` to `path`, creating its folders. Raises WriteError; then `path` is as it was before.
+
+    overwrite    : whether a file that is there may be replaced
+    follow_links : whether a symbolic link that is there leads to the file to replace; otherwise it is itself replaced
+    """
+    if is_stream(path):
+        write_stream(path, data)
+        return
     target = Path(path)
     try:
+        if overwrite and follow_links:
+            target = _behind_links(target)
         make_folder(target.parent)
-        with tempfile.NamedTemporaryFile(dir=target.parent, prefix=_PREFIX, suffix=_SUFFIX, delete=False) as file:
-            temporary = Path(file.name)
-            try:
-                _lock(file.fileno())
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-                os.chmod(temporary, 0o666 & ~_umask())
-                _take_name(temporary, target, overwrite)
-            finally:
-                temporary.unlink(missing_ok=True)
+        _put(target, data, overwrite)
     except FileExistsError:
-        raise exists_error(target) from None
+        raise exists_error(Path(path)) from None
     except (OSError, ValueError) as error:
-        raise WriteError(f"cannot write {target} ({getattr(error, 'strerror', None) or error})") from None
+        raise WriteError(f"cannot write {path} ({getattr(error, 'strerror', None) or error})") from None
+
+
+def _behind_links(target: Path) -> Path:
+    """The file that a symbolic link leads to; anything else is itself. Raises OSError for links in a circle."""
+    if not target.is_symlink():
+        return target
+    end = Path(os.path.realpath(target))
+    if end.is_symlink():
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+    return end
+
+
+def _put(target: Path, data: bytes, overwrite: bool) -> None:
+    """Write a temporary file beside the target and let it take the target's name."""
+    old = _status(target) if overwrite else None
+    temporary = target.parent / f"{_PREFIX}{secrets.token_hex(8)}{_SUFFIX}"
+    # the system takes the umask's bits away, and no moment exists in which more people may read it than in the end
+    mode = 0o666 if old is None else stat.S_IMODE(old.st_mode) & 0o666
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+    try:
+        with open(os.open(temporary, flags, mode), "wb") as file:
+            _lock(file.fileno())
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+            if old is not None:
+                _hand_on(temporary, old)
+            if fcntl is not None:  # with the lock still held; other systems do not rename an open file
+                _take_name(temporary, target, overwrite)
+        if fcntl is None:
+            _take_name(temporary, target, overwrite)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _status(target: Path) -> os.stat_result | None:
+    """What is known of a regular file that is there; None for anything else."""
+    with contextlib.suppress(FileNotFoundError):
+        status = os.lstat(target)
+        if stat.S_ISREG(status.st_mode):
+            return status
+    return None
+
+
+def _hand_on(temporary: Path, old: os.stat_result) -> None:
+    """Give the new file the owner and the permissions of the old one, as far as this user may."""
+    with contextlib.suppress(OSError, AttributeError):
+        os.chown(temporary, old.st_uid, old.st_gid)
+    with contextlib.suppress(OSError):
+        os.chmod(temporary, old.st_mode & _PERMISSIONS)
 
 
 def make_folder(folder: str | os.PathLike[str]) -> None:
@@ -74,13 +132,6 @@ def _take_name(temporary: Path, target: Path, overwrite: bool) -> None:
         os.replace(temporary, target)
 
 
-def _umask() -> int:
-    """The process's umask; it can only be read by setting it."""
-    mask = os.umask(0o022)
-    os.umask(mask)
-    return mask
-
-
 def _lock(descriptor: int) -> bool:
     """Lock an open file; False if another process holds it."""
     if fcntl is None:
@@ -98,16 +149,23 @@ def sweep(folder: str | os.PathLike[str]) -> int:
     """Remove temporary files that killed runs left in a folder; return how many. Files being written are left alone."""
     removed = 0
     try:
-        names = [e.name for e in os.scandir(folder) if e.name.startswith(_PREFIX) and e.name.endswith(_SUFFIX)]
+        found = [e for e in os.scandir(folder) if e.name.startswith(_PREFIX) and e.name.endswith(_SUFFIX)]
     except OSError:
         return 0
-    for name in names:
-        path = Path(folder, name)
-        with contextlib.suppress(OSError), path.open("rb") as file:
-            if _lock(file.fileno()):
+    for path in (Path(entry.path) for entry in found if entry.is_file(follow_symlinks=False)):
+        with contextlib.suppress(OSError):
+            if _abandoned(path):
                 path.unlink()
                 removed += 1
     return removed
+
+
+def _abandoned(path: Path) -> bool:
+    """Whether nobody writes to a temporary file any more: no one holds its lock or, without locks, it is old."""
+    if fcntl is None:
+        return time.time() - path.stat().st_mtime > _ABANDONED
+    with path.open("rb") as file:
+        return _lock(file.fileno())
 
 
 class FolderLock:
@@ -132,45 +190,3 @@ class FolderLock:
         if self._descriptor is not None:
             os.close(self._descriptor)
             self._descriptor = None
-
-
-def write_stdout(data: bytes, stream: BinaryIO | None = None) -> None:
-    """Write the product to standard output; a reader that has gone away (`| head`) is no error. Raises WriteError."""
-    out = stream or sys.stdout.buffer
-    try:
-        out.write(data)
-        out.flush()
-    except BrokenPipeError:
-        _silence(out)
-    except (OSError, ValueError) as error:
-        _silence(out)
-        raise WriteError(f"cannot write to standard output ({getattr(error, 'strerror', None) or error})") from None
-
-
-@contextlib.contextmanager
-def quiet_stderr() -> Iterator[None]:
-    """Keep libraries in C from writing to standard error meanwhile; those that decode damaged files are talkative.
-
-    For the command only: it acts on the whole process.
-    """
-    try:
-        saved = os.dup(2)
-    except OSError:  # there is no standard error
-        yield
-        return
-    try:
-        null = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(null, 2)
-        os.close(null)
-        yield
-    finally:
-        os.dup2(saved, 2)
-        os.close(saved)
-
-
-def _silence(out: BinaryIO) -> None:
-    """Point a broken stream at nothing, so that the interpreter's own flush at exit does not fail again."""
-    with contextlib.suppress(OSError, ValueError):
-        null = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(null, out.fileno())
-        os.close(null)

@@ -138,6 +138,27 @@ def test_existing_outputs_stop_the_run_before_it_starts(here):
     assert os.path.exists("out/3.2.obj")
 
 
+@pytest.mark.parametrize("option", ["--contact-sheet", "--index", "--report"])
+def test_pages_and_tables_replace_no_input_and_no_file(here, option):
+    ending = {"--contact-sheet": ".png", "--index": ".html", "--report": ".csv"}[option]
+    (here / f"mine{ending}").write_text("mine")
+    with pytest.raises(WriteError, match="exists already"):
+        command("in", "-o", "out", option, f"mine{ending}")
+    assert (here / f"mine{ending}").read_text() == "mine"
+    os.rename(f"mine{ending}", f"in/mine{ending}")
+    inputs = ["in", f"in/mine{ending}"]
+    with pytest.raises(UsageError, match="would replace an input"):
+        command(*inputs, "-o", "out", option, f"in/mine{ending}", "--overwrite")
+    assert not os.path.exists("out")
+
+
+def test_two_formats_of_one_ending_are_two_runs(here):
+    for existing in ([], ["--overwrite"]):
+        with pytest.raises(UsageError, match=r"stl and stl-ascii would both be written to NAME\.stl"):
+            command("in", "-o", "out", "--format", "stl,stl-ascii", *existing)
+    assert not os.path.exists("out")
+
+
 def test_in_place_twice(here):
     assert command("in") == 0
     assert os.path.exists("in/0.obj")

@@ -37,6 +37,14 @@ def test_csv():
     assert rows[1]["message"] == "nothing, really"
 
 
+@pytest.mark.parametrize("name", ["=1+1.png", "+a.png", "-a.png", "@a.png"])
+def test_no_cell_is_a_formula(name):
+    row = [(Planned(name, name, ()), Outcome(name, 5, "nothing"))]
+    (read,) = csv.DictReader(io.StringIO(encode_table("r.csv", row).decode()))
+    assert read["name"] == "'" + name
+    assert json.loads(encode_table("r.jsonl", row))["name"] == name  # no spreadsheet reads this one
+
+
 def test_names_of_tables():
     check_table("a.jsonl")
     with pytest.raises(UsageError):

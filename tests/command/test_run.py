@@ -48,6 +48,59 @@ def test_an_existing_file_is_refused_replaced_or_kept(here):
     assert (here / "a.obj").read_bytes() == (here / "a.2.obj").read_bytes()
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["a.png", "-o", "b.obj", "--overlay", "a.png"],
+        ["a.png", "-o", "b.obj", "--preview", "./a.png"],
+        ["a.png", "-o", "b.obj", "--stages", "A.PNG"],
+        ["a.png", "-o", "b.obj", "--overlay", "link.png"],
+        ["link.png", "-o", "b.obj", "--overlay", "a.png"],
+        ["a.png", "-o", "b.obj", "--overlay", "twin.png"],
+        ["drawing.svg", "--format", "svg"],
+        ["drawing.svg", "-o", "drawing.svg"],
+        ["a.png", "-o", "fix.obj", "--json", "--vertices", "fix.json"],
+    ],
+)
+@pytest.mark.parametrize("existing", [[], ["--overwrite"]])
+def test_an_input_is_never_replaced(here, arguments, existing):
+    (here / "link.png").symlink_to("a.png")
+    os.link("a.png", "twin.png")
+    os.rename("blank.png", "drawing.svg")
+    (here / "fix.json").write_text('{"schema": "sketch2shape-corrections/1", "objects": []}')
+    before = {name: (here / name).read_bytes() for name in os.listdir(here)}
+    with pytest.raises(UsageError, match="would replace an input"):
+        command(*arguments, *existing)
+    assert {name: (here / name).read_bytes() for name in os.listdir(here)} == before
+
+
+def test_versions_are_beside_the_input(here):
+    os.rename("a.png", "drawing.svg")
+    before = (here / "drawing.svg").read_bytes()
+    assert command("drawing.svg", "-o", "drawing.obj") == 0
+    assert command("drawing.svg", "--format", "svg", "--versioned") == 0
+    assert (here / "drawing.svg").read_bytes() == before
+    assert b"<svg" in (here / "drawing.2.svg").read_bytes()
+
+
+@pytest.mark.parametrize("picture", ["overlay", "stages", "preview", "html"])
+def test_a_picture_is_of_the_format_that_its_name_promises(here, picture):
+    with pytest.raises(UsageError, match="what is written is"):
+        command("a.png", "-o", "b.obj", f"--{picture}", "c.jpg")
+
+
+def test_streams_as_outputs(here):
+    assert command("a.png", "-o", "/dev/null") == 0
+    assert command("a.png", "-o", "/dev/null", "--overwrite", "--format", "stl") == 0
+    with open("b.txt", "wb") as file:
+        assert command("a.png", "-o", f"/dev/fd/{file.fileno()}", "-o", "c.stl") == 0
+    assert (here / "b.txt").read_bytes().count(b"\nv ") == 8
+    for wrong in (["--json"], ["--format", "obj,stl"], ["--pages", "all"]):
+        with pytest.raises(UsageError):
+            command("a.png", "-o", "/dev/null", *wrong)
+    assert files() == ["b.txt", "c.stl"]
+
+
 def test_several_outputs_and_the_report_beside_each(here):
     assert command("a.png", "-o", "x/b.obj", "-o", "b.stl", "-o", "b.ply", "--json") == 0
     assert files("x") == ["b.json", "b.obj"]

@@ -85,12 +85,38 @@ def test_svg_has_a_group_for_each_layer():
 def test_face_is_laid_flat_at_its_size():
     solids = result(TwoFaceObject(FACE, FACE + [60, -50], (FacePair(HOLE, HOLE + [60, -50]),)), width="40mm").solids
     root = ET.fromstring(encode(solids, "face.svg"))
-    assert root.get("width") == "40mm"
     path = root[0].get("d")
     assert path.count("M") == path.count("Z") == 2
     rows = encode(solids, "face.dxf").decode().splitlines()
     x = [float(rows[i + 3 + 1]) for i, row in enumerate(rows) if row == "VERTEX"]
     assert max(x) == pytest.approx(40.0)
+
+
+@pytest.mark.parametrize(("unit", "millimetres"), [("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("in", 25.4)])
+@pytest.mark.parametrize("face", [FACE, FACE * [1, 0.08], FACE * [0.05, 1]])
+def test_a_face_is_cut_at_full_size_in_every_unit(unit, millimetres, face):
+    solids = result(TwoFaceObject(face, face + [60, -50]), width="40mm", unit=unit).solids
+    root = ET.fromstring(encode(solids, "face.svg"))
+    box = [float(v) for v in root.get("viewBox").split()]
+    shown = {"mm": 1.0, "cm": 10.0, "in": 25.4}
+    for size, extent in zip((root.get("width"), root.get("height")), box[2:], strict=True):
+        suffix = size.lstrip("0123456789.e-+")
+        # millimetres on paper for each unit of the path
+        assert float(size[: -len(suffix)]) * shown[suffix] / extent == pytest.approx(millimetres, rel=1e-6)
+    corners = np.array([[float(v) for v in pair.split()] for pair in root[0].get("d").strip("MZ").split("L")])
+    stroke = float(root[0].get("stroke-width"))
+    assert corners.min(axis=0) == pytest.approx([0, 0])
+    assert (np.ptp(corners, axis=0) + stroke <= np.array(box[2:]) + 1e-9).all()
+    assert np.ptp(corners[:, 0]) * millimetres == pytest.approx(40.0)
+
+
+@pytest.mark.parametrize(("unit", "code"), [("px", 0), ("in", 1), ("mm", 4), ("cm", 5), ("m", 6)])
+def test_a_dxf_file_names_its_unit(unit, code):
+    options = {} if unit == "px" else {"width": "40mm", "unit": unit}
+    rows = encode(result(BOX, **options), "face.dxf").decode().splitlines()
+    assert rows[rows.index("$INSUNITS") + 1 : rows.index("$INSUNITS") + 3] == ["70", str(code)]
+    drawing = encode(result(BOX, **options), "dxf").decode().splitlines()
+    assert drawing[drawing.index("$INSUNITS") + 2] == "0"  # in pixels of the picture
 
 
 def test_dxf_opens_in_ezdxf():
@@ -101,7 +127,8 @@ def test_dxf_opens_in_ezdxf():
     layers = [line.dxf.layer for line in document.modelspace().query("LINE")]
     assert (layers.count("VISIBLE"), layers.count("HIDDEN")) == (18, 6)
     assert not document.audit().errors
-    face = ezdxf.read(io.StringIO(encode(result(BOX), "face.dxf").decode()))
+    face = ezdxf.read(io.StringIO(encode(result(BOX, width="40mm"), "face.dxf").decode()))
+    assert face.header["$INSUNITS"] == 4
     (outline,) = face.modelspace().query("POLYLINE")
     assert outline.is_closed
     assert len(outline) == 4

@@ -1,13 +1,17 @@
 import io
+import zipfile
 from dataclasses import replace
 
 import manifold3d
 import numpy as np
 import pytest
 import trimesh
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.export import encode, format_of, to_trimesh
+from sketch2shape.export.mesh import settled
 from sketch2shape.model import Projection, Solid, two_face_boundary
 
 L_SHAPE = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2.0]])
@@ -117,3 +121,30 @@ def test_gltf_is_in_metres_with_y_upward(up, turned):
     want = turned(solid.vertices) / 100.0
     assert np.asarray(mesh.vertices)[order] == pytest.approx(want[np.lexsort(np.round(want, 6).T)], abs=1e-6)
     assert mesh.volume > 0
+
+
+def test_rounding_errors_are_written_as_zero():
+    solid = prism([L_SHAPE])
+    moved = replace(solid.boundary, vertices=solid.vertices + [[1.1e-13, -1.1e-13, 0.0]])
+    tiny = replace(solid, boundary=moved)
+    for format in ("obj", "stl-ascii", "off"):
+        text = encode(tiny, format).decode()
+        assert "e-" not in text
+        assert "-0 " not in text
+    with zipfile.ZipFile(io.BytesIO(encode(tiny, "3mf"))) as archive:
+        assert b"e-1" not in archive.read("3D/3dmodel.model")
+
+
+@given(st.floats(1e-6, 1e6), st.integers(0, 2**32 - 1))
+def test_settled_points_stay_where_they_are(extent, seed):
+    points = extent * np.random.default_rng(seed).uniform(-1, 1, (8, 3))
+    assert np.abs(settled(points) - points).max() <= 1e-9 * extent
+    assert (settled(settled(points)) == settled(points)).all()
+
+
+def test_text_stl_is_one_named_solid_without_empty_lines():
+    lines = encode(prism([L_SHAPE]), "stl-ascii").decode().split("\n")
+    assert lines[0] == "solid sketch2shape"
+    assert lines[-2:] == ["endsolid sketch2shape", ""]
+    assert all(line.strip() for line in lines[:-1])
+    assert lines.count("endfacet") == len(to_trimesh(prism([L_SHAPE])).faces)

@@ -13,7 +13,8 @@ import pytest
 
 from sketch2shape.errors import WriteError
 from sketch2shape.writing import files as write
-from sketch2shape.writing.files import FolderLock, sweep, write_file, write_stdout
+from sketch2shape.writing.files import FolderLock, sweep, write_file
+from sketch2shape.writing.streams import write_stdout
 
 
 def test_folders_are_made_and_bytes_written(tmp_path):
@@ -80,6 +81,62 @@ def test_permissions_follow_the_umask(tmp_path):
     assert (tmp_path / "a").stat().st_mode & 0o777 == 0o640
 
 
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o666, 0o444, 0o755])
+def test_a_replaced_file_hands_its_permissions_on(tmp_path, mode):
+    path = tmp_path / "a"
+    path.write_bytes(b"old")
+    path.chmod(mode)
+    write_file(path, b"new", overwrite=True)
+    assert (path.read_bytes(), path.stat().st_mode & 0o7777) == (b"new", mode)
+
+
+def test_and_its_owner_where_the_system_allows_it(tmp_path, monkeypatch):
+    asked = []
+    monkeypatch.setattr(os, "chown", lambda _, *who: asked.append(who))
+    (tmp_path / "a").write_bytes(b"old")
+    status = (tmp_path / "a").stat()
+    write_file(tmp_path / "a", b"new", overwrite=True)
+    assert asked == [(status.st_uid, status.st_gid)]
+
+
+def test_no_one_else_may_read_a_private_file_while_it_is_written(tmp_path, monkeypatch):
+    (tmp_path / "a").write_bytes(b"old")
+    (tmp_path / "a").chmod(0o600)
+    modes = []
+    monkeypatch.setattr(os, "fsync", lambda number: modes.append(os.fstat(number).st_mode & 0o777))
+    write_file(tmp_path / "a", b"new", overwrite=True)
+    assert modes == [0o600]
+
+
+def test_the_umask_of_the_process_is_never_touched(tmp_path, monkeypatch):
+    def forbidden(_):
+        raise AssertionError("the umask belongs to the whole process")
+
+    monkeypatch.setattr(os, "umask", forbidden)
+    write_file(tmp_path / "a", b"1")
+    write_file(tmp_path / "a", b"2", overwrite=True)
+
+
+def test_a_link_is_followed_and_stays(tmp_path):
+    (tmp_path / "far").mkdir()
+    (tmp_path / "far" / "real").write_bytes(b"old")
+    (tmp_path / "link").symlink_to("far/real")
+    write_file(tmp_path / "link", b"new", overwrite=True)
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "far" / "real").read_bytes() == b"new"
+    write_file(tmp_path / "link", b"own", overwrite=True, follow_links=False)
+    assert not (tmp_path / "link").is_symlink()
+    assert (tmp_path / "far" / "real").read_bytes() == b"new"
+
+
+def test_links_in_a_circle_are_refused(tmp_path):
+    (tmp_path / "a").symlink_to("b")
+    (tmp_path / "b").symlink_to("a")
+    with pytest.raises(WriteError, match="symbolic links"):
+        write_file(tmp_path / "a", b"1", overwrite=True)
+    assert (tmp_path / "a").is_symlink()
+
+
 _HOLD = """
 import sys, time, tempfile
 from sketch2shape.writing.files import _lock
@@ -133,4 +190,16 @@ def test_without_a_lock_module_files_are_written_all_the_same(tmp_path, monkeypa
     monkeypatch.setattr(write, "fcntl", None)
     with FolderLock(tmp_path):
         write_file(tmp_path / "a", b"1")
-    assert (tmp_path / "a").read_bytes() == b"1"
+        write_file(tmp_path / "a", b"2", overwrite=True)
+    assert (tmp_path / "a").read_bytes() == b"2"
+    fresh, old = tmp_path / ".sketch2shape-1.tmp", tmp_path / ".sketch2shape-2.tmp"
+    fresh.touch()
+    old.touch()
+    os.utime(old, (1e9, 1e9))
+    assert sweep(tmp_path) == 1
+    assert fresh.exists()
+
+
+def test_a_pipe_is_no_leftover(tmp_path):
+    os.mkfifo(tmp_path / ".sketch2shape-1.tmp")
+    assert sweep(tmp_path) == 0
