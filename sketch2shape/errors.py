@@ -82,5 +82,9 @@ class InterruptedRunError(Sketch2ShapeError):
 
 def one_line(source: str, message: str, remedy: str) -> str:
     """`FILE: what happened. Try: remedy`, on one line whatever characters a file name holds."""
-    text = f"{source}: {message}. Try: {remedy}"
+    return on_one_line(f"{source}: {message}. Try: {remedy}")
+
+
+def on_one_line(text: str) -> str:
+    """The text with whatever would break the line, or hide, written as an escape."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in text)

@@ -18,6 +18,9 @@ from sketch2shape.pipeline.result import Result
 from sketch2shape.reading.read import read_picture
 
 
+CONFIDENCE = 0.9
+
+
 def reconstruct(source, *, limits=None, **_):
     """A box as large as the picture; none if it is blank."""
     picture = read_picture(source, limits)
@@ -27,7 +30,7 @@ def reconstruct(source, *, limits=None, **_):
     f1 = np.array([[0.0, 0], [width, 0], [width, height], [0, height]])
     vertices = np.r_[np.c_[f1, np.zeros(4)], np.c_[f1, np.full(4, 9.0)]]
     solid = Solid(two_face_boundary(vertices, (4,)), Projection("oblique"))
-    return Result((TwoFaceObject(f1, f1 + [5, -5], confidence=0.9),), (solid,), picture, {"ink": 1.0})
+    return Result((TwoFaceObject(f1, f1 + [5, -5], confidence=CONFIDENCE),), (solid,), picture, {"ink": 1.0})
 
 
 def work(task):

@@ -175,6 +175,7 @@ def _outcome_to(root: str, outcome: Outcome, outputs: Iterable[Output]) -> dict[
         "remedy": outcome.remedy,
         "objects": outcome.objects,
         "confidence": outcome.confidence,
+        "found": outcome.found,
         "sha256": outcome.digest,
         "written": {_inside(root, path): digest for path, digest in sorted(outcome.written.items())},
     }
@@ -190,4 +191,5 @@ def _outcome_from(root: str, record: Mapping[str, Any]) -> Outcome:
         record["confidence"],
         record["sha256"],
         {os.path.join(root, path): digest for path, digest in record["written"].items()},
+        found=str(record.get("found", "")),
     )

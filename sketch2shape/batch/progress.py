@@ -8,7 +8,7 @@ from types import TracebackType
 from typing import Any, Protocol, TextIO
 
 from sketch2shape.conversion.convert import Outcome, Task
-from sketch2shape.errors import one_line
+from sketch2shape.conversion.telling import Teller
 
 #: seconds between two plain lines
 _INTERVAL = 10.0
@@ -33,18 +33,26 @@ class Progress(Protocol):
 
 
 def follow(total: int, *, quiet: bool, stream: TextIO | None = None) -> Progress:
-    """The progress for a batch of `total` inputs that suits the stream (standard error)."""
+    """The progress for a batch of `total` inputs that suits the stream (standard error, where there is one)."""
     out = stream or sys.stderr
-    if quiet:
+    if quiet or out is None:
         return _Quiet(out)
-    return _Bar(total, out) if out.isatty() else _Lines(total, out)
+    return _Bar(total, out) if _is_terminal(out) else _Lines(total, out)
+
+
+def _is_terminal(out: TextIO) -> bool:
+    try:
+        return out.isatty()
+    except (OSError, ValueError):  # closed
+        return False
 
 
 class _Quiet:
     """Failures only."""
 
-    def __init__(self, out: TextIO) -> None:
+    def __init__(self, out: TextIO | None) -> None:
         self._out = out
+        self._teller = Teller()
 
     def __enter__(self) -> Progress:
         return self
@@ -54,9 +62,11 @@ class _Quiet:
 
     def advance(self, task: Task, outcome: Outcome) -> None:
         if outcome.message is not None:
-            self.say(one_line(task.source, outcome.message, outcome.remedy or ""))
+            self.say(self._teller.failure(task, outcome))
 
     def say(self, line: str) -> None:
+        if self._out is None:
+            return
         try:
             self._out.write(line + "\n")
             self._out.flush()
@@ -64,8 +74,18 @@ class _Quiet:
             pass
 
 
-class _Lines(_Quiet):
-    """A plain line now and then."""
+class _Talkative(_Quiet):
+    """A line for each input."""
+
+    def advance(self, task: Task, outcome: Outcome) -> None:
+        super().advance(task, outcome)
+        if outcome.message is None:
+            for line in self._teller.success(task, outcome):
+                self.say(line)
+
+
+class _Lines(_Talkative):
+    """A plain line now and then about the whole."""
 
     def __init__(self, total: int, out: TextIO) -> None:
         super().__init__(out)
@@ -84,7 +104,7 @@ class _Lines(_Quiet):
             self.say(f"{self._done} of {self._total}, {self._failed} failed, {rate:.1f}/s, {left:.0f} s left")
 
 
-class _Bar(_Quiet):
+class _Bar(_Talkative):
     """A bar with rate and time left."""
 
     def __init__(self, total: int, out: TextIO) -> None:

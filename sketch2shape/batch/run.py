@@ -11,19 +11,18 @@ import time
 from argparse import Namespace
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
-from pathlib import Path
 
+from sketch2shape.batch.extras import check_extras, keep_given, write_extras
 from sketch2shape.batch.manifest import Manifest, Past, load_past, options_hash
-from sketch2shape.batch.pages import check_pages, write_pages
 from sketch2shape.batch.plan import Plan, common_folder, make_plan, settle
 from sketch2shape.batch.pool import run_tasks
 from sketch2shape.batch.progress import Progress, follow
-from sketch2shape.batch.table import check_table, encode_table, show_summary, summary
+from sketch2shape.batch.table import show_summary, summary
 from sketch2shape.conversion.convert import Outcome, Settings, Task
-from sketch2shape.conversion.inputs import keep_inputs
-from sketch2shape.conversion.products import PICTURES, product_of, products_of, wants_pages
+from sketch2shape.conversion.products import PICTURES, product_of, products_of
+from sketch2shape.corrections import check_pictures
 from sketch2shape.errors import InterruptedRunError, UsageError
-from sketch2shape.writing import FolderLock, exists_error, make_folder, sweep, write_file, write_stdout
+from sketch2shape.writing import FolderLock, make_folder, sweep, tell, write_stdout
 
 Work = Callable[[Task], Outcome]
 
@@ -42,7 +41,11 @@ def run_batch(arguments: Namespace, settings: Settings, work: Work) -> int:
     options = options_hash(settings, products)
     past = load_past(out or common_folder(arguments.inputs))
     plan = _plan(arguments, out, products, past, options)
-    _keep_inputs(plan, arguments)
+    keep_given(arguments, plan.items)
+    if settings.corrections:
+        note = check_pictures(settings.corrections, arguments.vertices, [item.name for item in plan.items])
+        if note and not arguments.quiet:
+            tell(f"sketch2shape: {note}")
     if arguments.dry_run:
         lines = (f"{item.path}\t{output.path}\n" for item in plan.items for output in item.outputs)
         write_stdout(b"".join(map(os.fsencode, lines)))
@@ -61,11 +64,7 @@ def _out(arguments: Namespace) -> str | None:
         raise UsageError("standard input and output are for a single picture", remedy="-o FOLDER")
     if len(arguments.output) > 1:
         raise UsageError("several inputs take one -o", remedy="-o FOLDER, and --format for several formats")
-    if arguments.report:
-        check_table(arguments.report)
-        if os.path.lexists(arguments.report) and not (arguments.overwrite or arguments.resume):
-            raise exists_error(Path(arguments.report))
-    check_pages(arguments)
+    check_extras(arguments)
     if any(getattr(arguments, kind) for kind in PICTURES):
         raise UsageError(
             "a picture's file is for a single input", remedy="--format obj,overlay and so on, or --index FILE"
@@ -74,7 +73,8 @@ def _out(arguments: Namespace) -> str | None:
         return None
     out = str(arguments.output[0])
     if not os.path.isdir(out) and (os.path.lexists(out) or _is_product(out)):
-        raise UsageError(f"{out} is a file, several inputs need a folder", remedy="-o FOLDER")
+        why = "--resume keeps its record in one" if arguments.resume else "several inputs need one"
+        raise UsageError(f"{out} is a file, not a folder: {why}", remedy="-o FOLDER")
     return out
 
 
@@ -93,14 +93,6 @@ def _plan(arguments: Namespace, out: str | None, products: list[str], past: Past
         items = tuple(replace(item, outputs=past.planned.get(item.name, item.outputs)) for item in plan.items)
         return settle(replace(plan, items=items), versioned=arguments.versioned, ours=past.files)
     return plan if arguments.overwrite else settle(plan, versioned=arguments.versioned)
-
-
-def _keep_inputs(plan: Plan, arguments: Namespace) -> None:
-    """Raise UsageError if anything the run writes would replace a picture or the corrections."""
-    given = [item.path for item in plan.items] + list(filter(None, [arguments.vertices]))
-    keep_inputs(given, filter(None, (arguments.report, arguments.index, arguments.contact_sheet)))
-    if arguments.vertices:
-        keep_inputs([arguments.vertices], (o.path for item in plan.items for o in item.outputs))
 
 
 class _Batch:
@@ -140,7 +132,7 @@ class _Batch:
             manifest.finish()
         self._tell()
         if interrupted:
-            sys.stderr.write("sketch2shape: interrupted. Try: --resume\n")
+            tell("sketch2shape: interrupted. Try: --resume")
             return InterruptedRunError.exit_code
         return _SOME_FAILED if any(o.exit_code for o in self._all()) else 0
 
@@ -193,14 +185,9 @@ class _Batch:
 
     def _tell(self) -> None:
         """Write the table and show the summary. Raises WriteError."""
-        if self.arguments.report:
-            data = encode_table(self.arguments.report, zip(self.plan.items, self._all(), strict=True))
-            replace_file = self.arguments.overwrite or self.arguments.resume
-            write_file(self.arguments.report, data, overwrite=replace_file)
-        if wants_pages(self.arguments):
-            write_pages(self.arguments, zip(self.plan.items, self._all(), strict=True))
-        if not self.arguments.quiet:
-            with contextlib.suppress(OSError):
+        write_extras(self.arguments, zip(self.plan.items, self._all(), strict=True))
+        if not self.arguments.quiet and sys.stderr is not None:
+            with contextlib.suppress(OSError, ValueError):
                 show_summary(summary(self._all(), time.monotonic() - self.begin), sys.stderr)
 
 

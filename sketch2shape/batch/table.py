@@ -13,7 +13,7 @@ from sketch2shape.batch.plan import Planned
 from sketch2shape.conversion.convert import Outcome
 from sketch2shape.errors import UsageError
 
-_COLUMNS = ("name", "status", "exit_code", "message", "remedy", "objects", "confidence", "seconds", "outputs")
+_COLUMNS = ("name", "status", "exit_code", "message", "remedy", "objects", "confidence", "found", "seconds", "outputs")
 
 _MEANING = {
     0: "done",
@@ -65,6 +65,7 @@ def _record(item: Planned, outcome: Outcome) -> dict[str, Any]:
         "remedy": outcome.remedy,
         "objects": outcome.objects,
         "confidence": None if outcome.confidence is None else round(outcome.confidence, 4),
+        "found": outcome.found,
         "seconds": round(outcome.seconds, 3),
         "outputs": sorted(outcome.written),
     }

@@ -9,7 +9,15 @@ from pathlib import Path
 
 from sketch2shape.conversion.convert import Output
 from sketch2shape.conversion.inputs import keep_inputs
-from sketch2shape.conversion.products import PICTURES, SUFFIXES, infixed, product_of, products_of, suffix
+from sketch2shape.conversion.products import (
+    PICTURES,
+    SUFFIXES,
+    formats_of,
+    infixed,
+    product_of,
+    suffix,
+    wants_pages,
+)
 from sketch2shape.errors import UsageError
 from sketch2shape.writing import exists_error, is_stream
 
@@ -19,11 +27,13 @@ def outputs_of(arguments: Namespace) -> list[Output]:
     source = arguments.inputs[0]
     outs = arguments.output or (["-"] if source == "-" else [os.path.dirname(source) or "."])
     wanted = [output for out in outs for output in _outputs_at(out, source, arguments)]
+    files = [o for o in wanted if not _flows(o.path)]
     if arguments.json:
-        files = [o for o in wanted if not _flows(o.path)]
         if not files:
             raise UsageError("--json has no file to be written beside", remedy="-o FILE, or --format json -o -")
         wanted += [Output("json", _stem(o) + ".json") for o in files]
+    if wants_pages(arguments) and files and not arguments.overlay:
+        wanted.append(Output("overlay", _stem(files[0]) + suffix("overlay")))
     wanted += [_picture(kind, getattr(arguments, kind)) for kind in PICTURES if getattr(arguments, kind)]
     unique = list(dict.fromkeys(wanted))
     if len({o.path for o in unique}) < len(unique):
@@ -69,7 +79,7 @@ def _stem(output: Output) -> str:
 
 def _outputs_at(out: str, source: str, arguments: Namespace) -> list[Output]:
     """What one OUT stands for: a stream, a folder (products by --format) or a file (product by its name)."""
-    products = [p for p in products_of(arguments) if p != "json" or "json" in arguments.format]
+    products = formats_of(arguments)
     if out == "-" or (is_stream(out) and not os.path.splitext(out)[1]):
         if len(products) != 1 or arguments.pages == "all":
             name = "standard output" if out == "-" else out

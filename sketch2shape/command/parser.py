@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
 from sketch2shape import __version__
 from sketch2shape.errors import Sketch2ShapeError, one_line
+from sketch2shape.writing import occupy_descriptors, tell
 
 _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight solid.
 
@@ -30,11 +32,33 @@ _PICTURES = {
 _UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}
 
 
+#: other names of units
+_UNIT_NAMES = {
+    **dict.fromkeys(("inch", "inches", '"'), "in"),
+    **dict.fromkeys(("millimetre", "millimetres", "millimeter", "millimeters"), "mm"),
+    **dict.fromkeys(("centimetre", "centimetres", "centimeter", "centimeters"), "cm"),
+    **dict.fromkeys(("metre", "metres", "meter", "meters"), "m"),
+    **dict.fromkeys(("pixel", "pixels"), "px"),
+}
+
+
 class _Parser(argparse.ArgumentParser):
     """Says what is wrong in one line, like every other failure."""
 
     def error(self, message: str) -> NoReturn:
-        self.exit(2, one_line("sketch2shape", message, "sketch2shape --help") + "\n")
+        tell(one_line("sketch2shape", message, self._advice(message)))
+        self.exit(2)
+
+    def _advice(self, message: str) -> str:
+        """The option that was probably meant, where there is one like it."""
+        unknown = re.match(r"unrecognized arguments: (-[^\s=]+)", message)
+        if unknown:
+            from difflib import get_close_matches
+
+            near = get_close_matches(unknown[1], self._option_string_actions, n=1)
+            if near:
+                return near[0]
+        return "sketch2shape --help"
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -47,7 +71,8 @@ def build_parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     parser.add_argument("inputs", metavar="INPUT", nargs="+", help="image, folder, or - for standard input")
-    parser.add_argument("--version", action="version", version=f"sketch2shape {__version__}")
+    parser.add_argument("-V", "--version", action="version", version=f"sketch2shape {__version__}")
+    parser.add_argument("-q", "--quiet", action="store_true", help="say nothing but what failed")
     parser.add_argument("--debug", action="store_true", help="show the traceback of a bug")
     for add in (_output_options, _reading_options, _method_options, _solid_options, _batch_options):
         add(parser)
@@ -69,7 +94,7 @@ def _output_options(parser: argparse.ArgumentParser) -> None:
         "for one picture; default: beside the input",
     )  # fmt: skip
     group.add_argument(
-        "--format", metavar="FORMAT", action="append", default=[],
+        "-f", "--format", metavar="FORMAT", action="append", default=[],
         help="format where OUT is a folder or -: obj (default), stl, stl-ascii, ply, glb, 3mf, off, step, "
         "svg and dxf (the drawing), face.svg and face.dxf (the true face), json, overlay, stages, preview, html; "
         "several: obj,stl",
@@ -98,12 +123,18 @@ def _method_options(parser: argparse.ArgumentParser) -> None:
         help="corner detector that has to see the vertices found (default: both, where there is doubt)",
     )  # fmt: skip
     group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
+    group.add_argument(
+        "--min-confidence",
+        metavar="C",
+        type=_fraction,
+        help="leave out objects that are less sure, 0 to 1; 0.9 is sure",
+    )
 
 
 def _solid_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("solid")
     group.add_argument(
-        "--projection", choices=("auto", "oblique", "axonometric", "perspective"), default="auto",
+        "--projection", choices=("auto", "oblique", "axonometric", "perspective"), default="auto", type=_projection,
         help="how the object was projected (default: told from the drawing)",
     )  # fmt: skip
     group.add_argument(
@@ -117,7 +148,7 @@ def _solid_options(parser: argparse.ArgumentParser) -> None:
         "--depth-ratio", metavar="R", type=float,
         help="drawn over true length of receding edges, where the drawing is oblique (default 0.5, cabinet)",
     )  # fmt: skip
-    group.add_argument("--unit", choices=("px", "mm", "cm", "m", "in"), default="px", help="unit of length")
+    group.add_argument("--unit", choices=("px", "mm", "cm", "m", "in"), default="px", type=_unit, help="unit of length")
     group.add_argument(
         "--up", choices=("z", "y", "camera"), default="z",
         help="the solid stands with this axis upward (default z), or keeps the picture's frame",
@@ -128,7 +159,7 @@ def _solid_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _batch_options(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("folders and several inputs")
+    group = parser.add_argument_group("folders and several inputs, or one")
     group.add_argument("--jobs", metavar="N", type=_count, help="worker processes (default: one for each core)")
     group.add_argument("--timeout", metavar="S", type=_seconds, help="seconds for one input (default 120 in a batch)")
     group.add_argument("--max-memory", metavar="N", type=_bytes, help="memory for one input (default 4G in a batch)")
@@ -139,13 +170,31 @@ def _batch_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--contact-sheet", metavar="FILE.png", help="picture with a thumbnail of each input")
     group.add_argument("--report", metavar="FILE", help="table of what became of each input, .jsonl or .csv")
     group.add_argument("--scheduler", metavar="URL", help="run on a Dask cluster, as tcp://host:8786")
-    group.add_argument("--quiet", action="store_true", help="no progress and no summary, failures only")
 
 
 def _count(text: str) -> int:
     if not text.isdigit() or not 0 < int(text) <= 1024:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 to 1024")
     return int(text)
+
+
+def _fraction(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value <= 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 0 to 1")
+    return value
+
+
+def _unit(text: str) -> str:
+    return _UNIT_NAMES.get(text.lower(), text.lower())
+
+
+def _projection(text: str) -> str:
+    """Isometric and its kin are axonometric: which angles a drawing has is told from the drawing."""
+    return "axonometric" if text in ("isometric", "dimetric", "trimetric") else text
 
 
 def _seconds(text: str) -> float:
@@ -186,6 +235,7 @@ def _compute_in_one_thread() -> None:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
+    occupy_descriptors()
     words = list(sys.argv[1:] if argv is None else argv)
     arguments = argparse.Namespace(inputs=["ui"], debug=False) if words[:1] == ["ui"] else parse(words)
     try:
@@ -201,27 +251,19 @@ def main(argv: Sequence[str] | None = None) -> int:
         _complain(arguments.inputs, error)
         return error.exit_code
     except KeyboardInterrupt:
-        _say("sketch2shape: interrupted")
+        tell("sketch2shape: interrupted")
         return 130
     except Exception as error:
         if arguments.debug:
             raise
         what = f"internal error ({type(error).__name__}: {error})"
-        _say(one_line("sketch2shape", what, "--debug, and report it as a bug"))
+        tell(one_line("sketch2shape", what, "--debug, and report it as a bug"))
         return 1
 
 
 def _complain(inputs: Sequence[str], error: Sketch2ShapeError) -> None:
     about = inputs[0] if len(inputs) == 1 else "sketch2shape"
-    _say(one_line(about, error.message, error.advice))
-
-
-def _say(line: str) -> None:
-    try:
-        sys.stderr.write(line + "\n")
-        sys.stderr.flush()
-    except (OSError, ValueError, AttributeError):  # nobody listens
-        sys.stderr = open(os.devnull, "w")  # noqa: SIM115
+    tell(one_line(about, error.message, error.advice))
 
 
 if __name__ == "__main__":

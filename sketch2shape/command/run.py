@@ -5,20 +5,24 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sketch2shape.command.checks import check_effects, check_input, check_inputs
 from sketch2shape.command.outputs import outputs_of, settled
-from sketch2shape.conversion.convert import Outcome, Settings, Task, convert
-from sketch2shape.corrections import read_corrections
-from sketch2shape.errors import one_line
+from sketch2shape.conversion.convert import Outcome, Output, Settings, Task, convert
+from sketch2shape.conversion.products import wants_pages
+from sketch2shape.conversion.telling import Teller
+from sketch2shape.corrections import check_pictures, read_corrections
+from sketch2shape.errors import UnreadableError
 from sketch2shape.reading.limits import Limits
 from sketch2shape.reading.read import parse_page
-from sketch2shape.writing import is_stream, sweep, write_stdout
+from sketch2shape.writing import is_stream, sweep, tell, write_stdout
 
 if TYPE_CHECKING:
+    from sketch2shape.batch.plan import Planned
     from sketch2shape.lifting import LiftOptions
 
 Work = Callable[[Task], Outcome]
@@ -29,12 +33,14 @@ def run(arguments: Namespace, work: Work = convert) -> int:
 
     Raises UsageError, and WriteError for an output that exists.
     """
-    settings = settings_of(arguments)
     inputs = arguments.inputs
-    if len(inputs) == 1 and not os.path.isdir(inputs[0]):
+    check_inputs(inputs)
+    settings = settings_of(arguments)
+    if len(inputs) == 1 and not os.path.isdir(inputs[0]) and not (arguments.resume or arguments.scheduler):
         return _run_one(arguments, settings, work)
     from sketch2shape.batch.run import run_batch
 
+    check_effects(arguments)
     return run_batch(arguments, settings, work)
 
 
@@ -54,6 +60,8 @@ def stage_options(arguments: Namespace) -> dict[str, Any]:
     """Keyword arguments of `reconstruct`."""
     named = {"connector": arguments.connector, "detector": arguments.detector}
     options: dict[str, Any] = {name: value for name, value in named.items() if value != "auto"}
+    if arguments.min_confidence is not None:
+        options["min_confidence"] = arguments.min_confidence
     lifting = _lift_options(arguments)
     return options if lifting is None else {**options, "lift": lifting}
 
@@ -86,21 +94,71 @@ def _lift_options(arguments: Namespace) -> LiftOptions | None:
 def _run_one(arguments: Namespace, settings: Settings, work: Work) -> int:
     """One picture, in this process; in a worker where a limit on time or memory is asked for."""
     source = arguments.inputs[0]
-    outputs = settled(outputs_of(arguments), arguments)
+    outputs = outputs_of(arguments)
+    check_effects(arguments, [o.product for o in outputs])
+    check_input(source)
+    outputs = settled(outputs, arguments)
+    extras = _Extras(arguments, outputs)
     if arguments.dry_run:
         for output in outputs:
             write_stdout(os.fsencode(f"{source}\t{output.path}\n"))
         return 0
+    name = "stdin" if source == "-" else Path(source).name
+    say = (lambda _: None) if arguments.quiet else tell
+    note = check_pictures(settings.corrections, arguments.vertices, [name]) if settings.corrections else None
+    if note:
+        say(f"{source}: {note}")
     for folder in {str(Path(o.path).parent) for o in outputs if o.path != "-" and not is_stream(o.path)}:
         sweep(folder)
-    name = "stdin" if source == "-" else Path(source).name
-    settings = replace(settings, timings=True)
-    data = sys.stdin.buffer.read(settings.limits.max_bytes + 1) if source == "-" else None
-    task = Task(source, name, tuple(outputs), arguments.overwrite, settings, data)
+    task = Task(
+        source, name, tuple(outputs), arguments.overwrite, replace(settings, timings=True), _stdin_of(arguments)
+    )
     outcome = _limited(task, arguments, work) if arguments.timeout or arguments.max_memory else work(task)
     if outcome.message is not None:
-        sys.stderr.write(one_line(source, outcome.message, outcome.remedy or "") + "\n")
+        tell(Teller().failure(task, outcome))
+    else:
+        for line in Teller().success(task, outcome):
+            say(line)
+    extras.write(outcome)
     return outcome.exit_code
+
+
+class _Extras:
+    """The table and the pages, of a single picture."""
+
+    def __init__(self, arguments: Namespace, outputs: Sequence[Output]) -> None:
+        """Check their names. Raises UsageError and WriteError."""
+        self._arguments = arguments
+        self._wanted = bool(arguments.report or wants_pages(arguments))
+        self._outputs = tuple(outputs)
+        if self._wanted:
+            from sketch2shape.batch.extras import check_extras, keep_given
+
+            check_extras(arguments)
+            keep_given(arguments, [self._planned()])
+
+    def write(self, outcome: Outcome) -> None:
+        """Write them. Raises WriteError."""
+        if self._wanted:
+            from sketch2shape.batch.extras import write_extras
+
+            write_extras(self._arguments, [(self._planned(), outcome)])
+
+    def _planned(self) -> Planned:
+        from sketch2shape.batch.plan import Planned
+
+        source = self._arguments.inputs[0]
+        return Planned(source, "stdin" if source == "-" else Path(source).name, self._outputs)
+
+
+def _stdin_of(arguments: Namespace) -> bytes | None:
+    """The picture on standard input, None if it is not there. Raises UnreadableError."""
+    if arguments.inputs[0] != "-":
+        return None
+    if sys.stdin is None:
+        raise UnreadableError("standard input is closed", remedy="a file, or a picture on standard input")
+    limits = Limits() if arguments.max_bytes is None else Limits(max_bytes=arguments.max_bytes)
+    return sys.stdin.buffer.read(limits.max_bytes + 1)
 
 
 def _limited(task: Task, arguments: Namespace, work: Work) -> Outcome:

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from sketch2shape.conversion.products import encode_product, infixed
 from sketch2shape.conversion.report import encode_report, report
+from sketch2shape.conversion.summary import describe, least_confidence
 from sketch2shape.corrections import parse_corrections
 from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError, WriteError
 from sketch2shape.model import Answer, Picture
@@ -71,6 +72,7 @@ class Outcome:
     exit_code  : 0, or that of the error
     message    : what went wrong, and `remedy` what to try
     objects    : how many objects were found; `confidence` is the least of theirs
+    found      : what they are, how large, and what was assumed, in a line of words
     digest     : sha256 of the input's bytes, "" if it could not be read
     written    : path -> sha256 of the bytes written there
     seconds    : time taken
@@ -85,6 +87,7 @@ class Outcome:
     digest: str = ""
     written: Mapping[str, str] = field(default_factory=dict)
     seconds: float = 0.0
+    found: str = ""
 
     @property
     def status(self) -> Literal["ok", "failed"]:
@@ -136,7 +139,8 @@ def _convert_pages(task: Task, data: bytes, written: dict[str, str]) -> Outcome:
     if not good:
         return outcomes[0]
     confidence = min(o.confidence for o in good if o.confidence is not None)
-    return replace(good[0], name=task.name, objects=sum(o.objects for o in good), confidence=confidence)
+    found = "; ".join(f"page {p + 1}: {o.found}" for p, o in enumerate(outcomes) if o.exit_code == 0)
+    return replace(good[0], name=task.name, objects=sum(o.objects for o in good), confidence=confidence, found=found)
 
 
 def _for_page(task: Task, page: int) -> Task:
@@ -159,7 +163,7 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
         _write_all(task, result, written)
     except Exception as error:
         return report_failure(task, error, size=size, written=written)
-    return Outcome(task.name, objects=len(result.objects), confidence=min(result.confidences))
+    return Outcome(task.name, objects=len(result.objects), confidence=least_confidence(result), found=describe(result))
 
 
 def _reconstruct(picture: Picture, settings: Settings, read_ms: float) -> Answer:

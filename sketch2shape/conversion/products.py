@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from argparse import Namespace
 from collections.abc import Callable
+from difflib import get_close_matches
 from types import ModuleType
 from typing import Any
 
@@ -45,8 +46,12 @@ def suffix(product: str) -> str:
     from sketch2shape.export import FORMATS
 
     if product not in FORMATS:
-        known = ", ".join([*FORMATS, *SUFFIXES])
-        raise UsageError(f"no format is called {product!r}", remedy=f"--format with one of {known}")
+        known = [*FORMATS, *SUFFIXES]
+        near = get_close_matches(product, known, n=1)
+        raise UsageError(
+            f"no format is called {product!r}",
+            remedy=f"--format {near[0] if near else 'with one of ' + ', '.join(known)}",
+        )
     return "." + product.partition("-")[0]
 
 
@@ -64,9 +69,13 @@ def product_of(name: str) -> str:
     for product, ending in SUFFIXES.items():
         if name.lower().endswith(ending):
             return product
-    from sketch2shape.export import format_of
+    from sketch2shape.export import FORMATS, format_of
 
-    return format_of(name)
+    try:
+        return format_of(name)
+    except UsageError as error:
+        endings = [ending for ending in dict.fromkeys([*map(suffix, FORMATS), *SUFFIXES.values()])]
+        raise UsageError(error.message, remedy=f"one of {', '.join(e.removeprefix('.') for e in endings)}") from None
 
 
 def encode_product(product: str, result: Answer, options: dict[str, Any]) -> bytes:
@@ -83,14 +92,20 @@ def wants_pages(arguments: Namespace) -> bool:
     return bool(arguments.index or arguments.contact_sheet)
 
 
+def formats_of(arguments: Namespace) -> list[str]:
+    """What --format asks for, by default a mesh. Raises UsageError for an unknown format."""
+    names = [part.strip().lower() for value in arguments.format for part in value.split(",")]
+    formats = list(dict.fromkeys(names or ["obj"]))
+    for name in formats:
+        suffix(name)
+    return formats
+
+
 def products_of(arguments: Namespace) -> list[str]:
     """The products asked for by name, without doubles: --format, and --json. Raises UsageError for an unknown one."""
-    names = [part.strip().lower() for value in arguments.format for part in value.split(",")]
-    products = list(dict.fromkeys(names or ["obj"]))
+    products = formats_of(arguments)
     if wants_pages(arguments) and "overlay" not in products:
         products.append("overlay")
     if arguments.json and "json" not in products:
         products.append("json")
-    for product in products:
-        suffix(product)
     return products

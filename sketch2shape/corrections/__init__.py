@@ -10,10 +10,11 @@ from sketch2shape.corrections.corrections import (
     parse_corrections,
     points_from,
 )
-from sketch2shape.corrections.file import read_corrections
+from sketch2shape.corrections.file import check_pictures, read_corrections
 
 __all__ = [
     "Corrections",
+    "check_pictures",
     "corrected",
     "corrections_from",
     "lift_options",

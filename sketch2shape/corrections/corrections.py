@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING, Any, Literal, cast
@@ -88,11 +88,14 @@ def parse_corrections(text: str | bytes, name: str = "") -> Corrections | None:
 def corrections_from(data: Any, name: str = "") -> Corrections | None:
     """As `parse_corrections`, from JSON that is already decoded."""
     top = _mapping(data, "the corrections")
-    if top.get("schema") not in (SCHEMA, "sketch2shape/1"):
-        raise _wrong(f'the corrections need "schema": "{SCHEMA}"')
+    if top.get("schema", SCHEMA) not in (SCHEMA, "sketch2shape/1"):
+        raise _wrong(f'the schema of the corrections is not "{SCHEMA}"')
+    if "pictures" not in top and "objects" not in top:
+        raise _wrong('the corrections have neither "objects" nor "pictures"')
     if "pictures" in top:
-        found = _entry(_mapping(top["pictures"], '"pictures"'), name)
-        return None if found is None else Corrections(_objects(_mapping(found, f"the entry for {name}")))
+        pictures = _mapping(top["pictures"], '"pictures"')
+        key = entry_for(pictures, name)
+        return None if key is None else Corrections(_objects(_mapping(pictures[key], f"the entry for {name}")))
     return Corrections(_objects(top))
 
 
@@ -122,13 +125,14 @@ def corrected(picture: Picture, corrections: Corrections, options: LiftOptions |
     return Answer(objects, solids, picture)
 
 
-def _entry(pictures: Mapping[str, Any], name: str) -> Any:
-    """The entry whose name is `name` or, failing that, the only one whose last parts are the same."""
-    if name in pictures:
-        return pictures[name]
+def entry_for(pictures: Iterable[str], name: str) -> str | None:
+    """Of the names of pictures the one that means `name`: itself or, failing that, the longest that it ends with."""
+    names = list(pictures)
+    if name in names:
+        return name
     parts = PurePosixPath(name.replace("\\", "/")).parts
-    alike = [k for k in pictures if parts and parts[-len(PurePosixPath(k).parts) :] == PurePosixPath(k).parts]
-    return pictures[max(alike, key=len)] if alike else None
+    alike = [k for k in names if parts and parts[-len(PurePosixPath(k).parts) :] == PurePosixPath(k).parts]
+    return max(alike, key=len) if alike else None
 
 
 def _objects(picture: Mapping[str, Any]) -> tuple[ObjectCorrection, ...]:

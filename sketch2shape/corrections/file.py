@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path, PurePath
 from typing import Any
 
-from sketch2shape.corrections.corrections import SCHEMA, corrections_from
+from sketch2shape.corrections.corrections import SCHEMA, corrections_from, entry_for
 from sketch2shape.errors import UsageError
 
 ENDING = ".corrections.json"
@@ -36,6 +37,40 @@ def read_corrections(path: str, *, many: bool) -> str:
     for name in pictures if isinstance(pictures, dict) else [""]:
         corrections_from(data, name)  # says now what is wrong, not in the middle of a run
     return json.dumps(data)
+
+
+def check_pictures(text: str, path: str, names: Sequence[str]) -> str | None:
+    """A word on corrections that name pictures other than `names`, None if there is nothing to say.
+
+    text : what `read_corrections` returned for `path`
+
+    Raises UsageError if all of them are for other pictures.
+    """
+    data = json.loads(text)
+    pictures = data.get("pictures")
+    if not isinstance(pictures, dict):
+        return _made_for(data.get("source"), path, names)
+    used = {entry_for(pictures, name) for name in names}
+    others = [name for name in pictures if name not in used]
+    if pictures and used == {None}:
+        raise UsageError(
+            f"{path} corrects {_listed(others)}, not {_listed(names)}",
+            remedy='the name of the picture under "pictures", or another file for --vertices',
+        )
+    return f"{path} corrects {_listed(others)} too: no input is called so" if others and len(names) > 1 else None
+
+
+def _made_for(source: Any, path: str, names: Sequence[str]) -> str | None:
+    """A word where corrections for one picture say that they were made for another."""
+    named = isinstance(source, str) and bool(PurePath(source).suffix) and names[0] != "stdin"
+    if not named or PurePath(source.replace("\\", "/")).name == PurePath(names[0]).name:
+        return None
+    return f"{path} was made for {source}; it is used for {names[0]}"
+
+
+def _listed(names: Sequence[str], most: int = 3) -> str:
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
 
 
 def _decoded(file: Path) -> Any:

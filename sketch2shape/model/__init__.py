@@ -6,7 +6,7 @@ first pixel at (0, 0). Solid coordinates are right-handed: x right, y down, z aw
 
 from __future__ import annotations
 
-from sketch2shape.model.answer import Answer
+from sketch2shape.model.answer import TRUSTED, Answer
 from sketch2shape.model.arrays import Bools, Floats, Gray, Ints, as_gray
 from sketch2shape.model.boundary import (
     Boundary,
@@ -27,6 +27,7 @@ from sketch2shape.model.picture import Ink, Picture, to_picture, to_working
 from sketch2shape.model.solid import Alternative, Projection, Solid
 
 __all__ = [
+    "TRUSTED",
     "Alternative",
     "Answer",
     "Bools",

@@ -9,6 +9,9 @@ from sketch2shape.model.drawing import TwoFaceObject
 from sketch2shape.model.picture import Picture
 from sketch2shape.model.solid import Solid
 
+TRUSTED = 0.9
+"""Confidence from which an answer need not be looked at: of those at least 99 in 100 are right."""
+
 
 @dataclass(frozen=True)
 class Answer:

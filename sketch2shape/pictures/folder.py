@@ -10,14 +10,13 @@ from urllib.parse import quote
 
 import numpy as np
 
+from sketch2shape.model import TRUSTED
 from sketch2shape.pictures.canvas import Canvas, Pixels, encode_jpeg, fit, shorten
 from sketch2shape.pictures.palette import BACKDROP, DONE, DOUBT, FAILED, INK, MUTED, PAPER, RULE, Colour, css
 from sketch2shape.pictures.viewer import data_uri
 
 _WIDTH, _HEIGHT, _GAP, _CAPTION = 300, 220, 16, 46
 _MOST_CARDS = 500
-SURE = 0.9
-"""Confidence from which an answer need not be looked at."""
 
 
 @dataclass(frozen=True)
@@ -44,14 +43,14 @@ class Entry:
             return self.message
         if self.confidence is None:
             return "done"
-        return f"{'done' if self.confidence >= SURE else 'please check'}, confidence {self.confidence:.2f}"
+        return f"{'done' if self.confidence >= TRUSTED else 'please check'}, confidence {self.confidence:.2f}"
 
     @property
     def colour(self) -> Colour:
         """Of its mark: failed, to be checked, or done."""
         if self.message is not None:
             return FAILED
-        return DONE if self.confidence is None or self.confidence >= SURE else DOUBT
+        return DONE if self.confidence is None or self.confidence >= TRUSTED else DOUBT
 
 
 def contact_sheet(entries: Iterable[Entry], columns: int = 5) -> Pixels:

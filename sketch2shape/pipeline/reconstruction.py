@@ -32,6 +32,7 @@ def reconstruct(
     limits: Limits | None = None,
     lift: LiftOptions | None = None,
     corrections: Corrections | None = None,
+    min_confidence: float = 0.0,
 ) -> Result:
     """The solid shown in a drawing.
 
@@ -42,6 +43,7 @@ def reconstruct(
     limits      : what is refused before decoding
     lift        : how to read the third dimension
     corrections : what a person put right by hand; complete ones replace the reading
+    min_confidence : objects that are less sure are left out, 0..1
 
     Raises UsageError for an unknown connector or detector, UnreadableError, LimitError, or NoObjectError if no two-face
     object is found with enough confidence.
@@ -66,9 +68,9 @@ def reconstruct(
         ink = find_ink(picture)
     with _timed(timings, "faces"):
         objects = tuple(_as_object(f, ink, connector, detector) for f in find_all(ink))
-    sure = tuple(choose_front(o) for o in objects if o.confidence >= REFUSE_BELOW)
+    sure = tuple(choose_front(o) for o in objects if o.confidence >= max(REFUSE_BELOW, min_confidence))
     if not sure:
-        raise NoObjectError(_why_not(objects, ink))
+        raise _why_not(objects, ink, min_confidence)
     with _timed(timings, "lift"):
         solids = tuple(
             lift_object(o, picture_size=picture.size, options=lift_options(corrections, k, options))
@@ -105,10 +107,15 @@ def _confidence(found: Found, ink: Ink, detector: str) -> float:
     return calibrated(score)
 
 
-def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink) -> str:
+def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink, min_confidence: float) -> NoObjectError:
     if not ink.mask.any():
-        return "the picture is blank: no ink was found"
+        return NoObjectError("the picture is blank: no ink was found")
     if not objects:
-        return "no two faces joined by connecting edges were found"
+        return NoObjectError("no two faces joined by connecting edges were found")
     best = max(o.confidence for o in objects)
-    return f"the best two-face object explains the drawing too badly (confidence {best:.2f})"
+    if best < REFUSE_BELOW:
+        return NoObjectError(f"the best two-face object explains the drawing too badly (confidence {best:.2f})")
+    return NoObjectError(
+        f"the best two-face object has confidence {best:.2f}, less than the {min_confidence:g} asked for",
+        remedy="put it right by hand with sketch2shape ui, or a lower --min-confidence",
+    )

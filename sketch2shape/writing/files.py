@@ -13,7 +13,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import secrets
 import stat
 import time
 from pathlib import Path
@@ -68,7 +67,7 @@ def _behind_links(target: Path) -> Path:
 def _put(target: Path, data: bytes, overwrite: bool) -> None:
     """Write a temporary file beside the target and let it take the target's name."""
     old = _status(target) if overwrite else None
-    temporary = target.parent / f"{_PREFIX}{secrets.token_hex(8)}{_SUFFIX}"
+    temporary = target.parent / f"{_PREFIX}{os.urandom(8).hex()}{_SUFFIX}"
     # the system takes the umask's bits away, and no moment exists in which more people may read it than in the end
     mode = 0o666 if old is None else stat.S_IMODE(old.st_mode) & 0o666
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)

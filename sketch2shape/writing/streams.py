@@ -66,6 +66,27 @@ def write_stdout(data: bytes, stream: BinaryIO | None = None) -> None:
         raise WriteError(f"cannot write to standard output ({getattr(error, 'strerror', None) or error})") from None
 
 
+def tell(line: str) -> None:
+    """Write a line to standard error; for the command only. Where nobody listens the work goes on all the same."""
+    if sys.stderr is None:
+        return
+    try:
+        sys.stderr.write(line + "\n")
+        sys.stderr.flush()
+    except (OSError, ValueError):  # else the interpreter's own flush at exit would fail again
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115
+
+
+def occupy_descriptors() -> None:
+    """Put the null device where a standard stream is closed, lest the next file that is opened takes its number."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            with contextlib.suppress(OSError):
+                os.open(os.devnull, os.O_RDWR)  # the system gives the lowest number that is free
+
+
 @contextlib.contextmanager
 def quiet_stderr() -> Iterator[None]:
     """Keep libraries in C from writing to standard error meanwhile; those that decode damaged files are talkative.

@@ -7,9 +7,12 @@ import io
 import pytest
 
 from sketch2shape.batch import progress
-from sketch2shape.conversion.convert import Outcome, Task
+from sketch2shape.conversion.convert import Outcome, Output, Task
 
-GOOD = (Task("in/a.png", "a.png", ()), Outcome("a.png"))
+GOOD = (
+    Task("in/a.png", "a.png", (Output("obj", "o/a.obj"),)),
+    Outcome("a.png", confidence=0.95, found="box, 4 x 3 x 2 mm"),
+)
 BAD = (Task("in/[b].png", "[b].png", ()), Outcome("[b].png", 5, "nothing there", "draw"))
 
 
@@ -24,7 +27,7 @@ def test_failures_are_always_said_in_full(out, quiet):
         follower.advance(*GOOD)
         follower.advance(*BAD)
     assert "in/[b].png: nothing there. Try: draw\n" in out.getvalue()
-    assert "a.png:" not in out.getvalue()
+    assert ("in/a.png: box, 4 x 3 x 2 mm -> o/a.obj\n" in out.getvalue()) is not quiet
 
 
 def test_plain_lines_tell_rate_and_time_left(monkeypatch):
@@ -34,7 +37,7 @@ def test_plain_lines_tell_rate_and_time_left(monkeypatch):
     with progress.follow(4, quiet=False, stream=out) as follower:
         for _ in range(2):
             follower.advance(*GOOD)
-    assert out.getvalue() == "2 of 4, 0 failed, 0.2/s, 12 s left\n"
+    assert out.getvalue().splitlines()[-1] == "2 of 4, 0 failed, 0.2/s, 12 s left"
 
 
 def test_a_closed_stream_does_not_stop_the_work():
@@ -42,3 +45,10 @@ def test_a_closed_stream_does_not_stop_the_work():
     follower = progress.follow(1, quiet=True, stream=out)
     out.close()
     follower.advance(*BAD)
+
+
+def test_without_standard_error_nothing_is_said(monkeypatch):
+    monkeypatch.setattr(progress.sys, "stderr", None)
+    with progress.follow(1, quiet=False) as follower:
+        follower.advance(*BAD)
+        follower.say("hello")

@@ -147,7 +147,7 @@ def test_pages_and_tables_replace_no_input_and_no_file(here, option):
     assert (here / f"mine{ending}").read_text() == "mine"
     os.rename(f"mine{ending}", f"in/mine{ending}")
     inputs = ["in", f"in/mine{ending}"]
-    with pytest.raises(UsageError, match="would replace an input"):
+    with pytest.raises(UsageError, match="would replace an input|by its name"):
         command(*inputs, "-o", "out", option, f"in/mine{ending}", "--overwrite")
     assert not os.path.exists("out")
 
@@ -190,6 +190,26 @@ def test_quiet_tells_failures_only(here, capsys):
     picture("in/blank.png", 255)
     command("in", "-o", "out", "--quiet")
     assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_corrections_for_other_pictures_are_told(here, capsys):
+    entry = {"objects": [{"projection": "oblique"}]}
+    (here / "c.json").write_text(json.dumps({"pictures": {"0.png": entry, "z.png": entry}}))
+    assert command("in", "-o", "out", "--vertices", "c.json") == 0
+    assert "c.json corrects z.png too: no input is called so" in capsys.readouterr().err
+    (here / "c.json").write_text(json.dumps({"pictures": {"y.png": entry, "z.png": entry}}))
+    with pytest.raises(UsageError, match=r"corrects y\.png, z\.png, not 0\.png, 1\.png, 2\.png and 3 more"):
+        command("in", "-o", "new", "--vertices", "c.json")
+
+
+def test_advice_is_given_once(here, capsys):
+    for i in range(3):
+        picture(f"in/blank{i}.png", 255)
+    assert command("in", "-o", "out") == 3
+    lines = [
+        line for line in capsys.readouterr().err.splitlines() if "blank." in line or "the picture is blank" in line
+    ]
+    assert sorted(line.rpartition("Try: ")[2][:8] for line in lines) == ["a drawin", "as above", "as above"]
 
 
 _RUN = """

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import os
+import shlex
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from sketch2shape import __version__
 from sketch2shape.command.parser import main, parse
+
+
+ROOT = Path(__file__).parents[2]
 
 
 def shell(*arguments, **options):
@@ -64,6 +69,67 @@ def test_usage_errors_are_one_line_and_exit_2(arguments, capsys, tmp_path, monke
     assert printed.err.count("\n") == 1
     assert "Try: " in printed.err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [("--overwite", "--overwrite"), ("--formt=obj", "--format"), ("--confidence", "--min-confidence")],
+)
+def test_the_option_that_was_meant_is_named(wrong, right, capsys):
+    with pytest.raises(SystemExit):
+        parse(["a.png", wrong])
+    assert capsys.readouterr().err.endswith(f"Try: {right}\n")
+
+
+def test_short_options_and_other_names_of_values():
+    arguments = parse(["a.png", "-q", "-f", "stl", "--unit", "Inches", "--projection", "isometric"])
+    assert (arguments.quiet, arguments.format) == (True, ["stl"])
+    assert (arguments.unit, arguments.projection) == ("in", "axonometric")
+
+
+def test_the_formats_listed_are_all_formats(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["a.png", "-o", "a.xyz"]) == 2
+    listed = capsys.readouterr().err
+    assert all(name in listed for name in ("obj", "step", "face.svg", "json", "overlay.png", "html"))
+    assert main(["a.png", "--format", "objj"]) == 2
+    assert capsys.readouterr().err.endswith("Try: --format obj\n")
+
+
+@pytest.mark.parametrize("value", ["-0.1", "1.1", "nan", "high"])
+def test_a_confidence_is_between_0_and_1(value):
+    with pytest.raises(SystemExit):
+        parse(["a.png", f"--min-confidence={value}"])
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        ("w.png -o w.obj 2>&-", 0),
+        ("w.png -o w.obj >&- 2>&-", 0),
+        ("w.png -o w.obj <&- >&- 2>&-", 0),
+        ("two -o out <&- >&- 2>&-", 0),
+        ("text.png 2>&-", 4),
+        ("--nonsense 2>&-", 2),
+        ("w.png -o - >&-", 7),
+        ("- <&-", 4),
+        ("w.png -o w.obj 2>/dev/full", 0),
+    ],
+)
+def test_closed_streams_change_neither_the_work_nor_the_exit_code(words, code, drawings, tmp_path):
+    picture = (drawings / "clean_wire_oblique" / "000.png").read_bytes()
+    (tmp_path / "two").mkdir()
+    for name in ("w.png", "two/a.png", "two/b.png"):
+        (tmp_path / name).write_bytes(picture)
+    (tmp_path / "text.png").write_text("hello")
+    command = f"{shlex.quote(sys.executable)} -m sketch2shape {words}"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(["sh", "-c", command], cwd=tmp_path, timeout=120, env=environment, check=False)
+    assert done.returncode == code
+    made = sorted(str(p.relative_to(tmp_path)) for p in tmp_path.rglob("*.obj"))
+    expected = [] if code else ["out/a.obj", "out/b.obj"] if words.startswith("two") else ["w.obj"]
+    assert made == expected
+    assert all((tmp_path / name).read_bytes().count(b"\nv ") == 8 for name in made)
 
 
 def test_sizes():

@@ -121,6 +121,59 @@ def test_nothing_found(here, capsys):
     assert json.loads((here / "b.json").read_text())["status"] == "failed"
 
 
+def test_a_line_says_what_was_found_and_written(here, capsys):
+    assert command("a.png", "-o", "b.obj", "--json") == 0
+    assert capsys.readouterr().err == "a.png: box, 40 x 30 x 9 px, confidence 0.90 -> b.obj, b.json\n"
+    assert command("a.png", "-o", "c.obj", "--quiet") == 0
+    assert command("blank.png", "-q") == 5
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_low_confidence_is_never_silent(here, capsys, monkeypatch):
+    monkeypatch.setattr(stand_in, "CONFIDENCE", 0.44)
+    assert command("a.png", "-o", "b.obj") == 0
+    assert "a.png: please check it, confidence 0.44 is low. Try: --overlay" in capsys.readouterr().err
+
+
+def test_the_least_confidence_is_handed_on():
+    assert stage_options(parse(["a.png", "--min-confidence", "0.9"])) == {"min_confidence": 0.9}
+
+
+def test_options_of_a_folder_work_for_one_picture(here):
+    options = ["--report", "r.csv", "--contact-sheet", "c.png", "--index", "i.html", "--fail-fast", "--jobs", "2"]
+    assert command("a.png", "-o", "o/b.obj", *options) == 0
+    assert files("o") == ["b.obj"]
+    assert os.path.exists("o/b.overlay.png")
+    assert "a.png,ok,0," in (here / "r.csv").read_text()
+    assert "o/b.obj" in (here / "i.html").read_text()
+    assert Image.open("c.png").size[0] > 100
+    assert command("blank.png", "-o", "o/n.obj", "--report", "n.jsonl") == 5
+    assert json.loads((here / "n.jsonl").read_text())["exit_code"] == 5
+    with pytest.raises(WriteError, match=r"r\.csv exists"):
+        command("a.png", "-o", "o/c.obj", "--report", "r.csv")
+
+
+def test_a_run_over_one_picture_goes_on_too(here):
+    for _ in range(2):
+        assert command("a.png", "-o", "o", "--resume") == 0
+    assert files("o") == [".sketch2shape.jsonl", "a.obj"]
+    with pytest.raises(UsageError, match="keeps its record"):
+        command("a.png", "-o", "b.obj", "--resume")
+
+
+def test_corrections_for_another_picture_are_refused_or_told(here, capsys):
+    box = {"f1": [[2, 9], [20, 9], [20, 25], [2, 25]], "d": [9, -6]}
+    (here / "many.json").write_text(json.dumps({"pictures": {"z.png": {"objects": [box]}}}))
+    with pytest.raises(UsageError, match=r"many\.json corrects z\.png, not a\.png"):
+        command("a.png", "--vertices", "many.json")
+    (here / "one.json").write_text(json.dumps({"source": "x/z.png", "objects": [box]}))
+    assert command("a.png", "--vertices", "one.json") == 0
+    assert "one.json was made for x/z.png; it is used for a.png" in capsys.readouterr().err
+    (here / "own.json").write_text(json.dumps({"source": "x/a.png", "objects": [box]}))
+    assert command("a.png", "--vertices", "own.json", "--versioned") == 0
+    assert "made for" not in capsys.readouterr().err
+
+
 def test_the_report_of_a_single_picture_tells_the_time(here):
     command("a.png", "-o", "a.json")
     assert "read" in json.loads((here / "a.json").read_text())["timings_ms"]

@@ -98,11 +98,17 @@ def test_a_file_for_a_folder_gives_each_picture_its_own() -> None:
 CROSSED = [[10, 20], [110, 80], [110, 20], [10, 80]]
 
 
+def test_the_schema_need_not_be_said_as_there_is_only_one() -> None:
+    assert corrections_from({"objects": [{"projection": "oblique"}]}) == corrections_from(one(projection="oblique"))
+
+
 @pytest.mark.parametrize(
     ("data", "words"),
     [
         ([], "JSON object"),
-        ({"objects": []}, "schema"),
+        ({"schema": "sketch2shape-corrections/9", "objects": []}, "schema"),
+        ({"schema": "sketch2shape-corrections/1"}, "neither"),
+        ({}, "neither"),
         (one(f1=FRONT), 'neither "f2" nor "d"'),
         (one(f1=FRONT, f2=BACK[:3]), "front face has 4 vertices, the back face 3"),
         (one(f1=FRONT[:2], f2=BACK[:2]), "needs 3"),

@@ -29,6 +29,14 @@ def test_a_box_becomes_a_watertight_box(lines):
     assert result.mesh.volume > 0
 
 
+def test_less_sure_objects_are_left_out_if_asked():
+    picture = prism(SQUARE, SQUARE + DEPTH)
+    sure = s2s.reconstruct(picture).objects[0].confidence
+    assert len(s2s.reconstruct(picture, min_confidence=sure).objects) == 1
+    with pytest.raises(s2s.NoObjectError, match="less than the 1 asked for"):
+        s2s.reconstruct(picture, min_confidence=1.0)
+
+
 def test_the_visible_cap_is_the_front():
     for lines in ("dashed", "removed"):
         obj = s2s.reconstruct(prism(HEXAGON, HEXAGON + DEPTH, lines)).objects[0]
