@@ -17,7 +17,6 @@ from sketch2shape.model.drawing import TwoFaceObject
 from sketch2shape.pipeline.result import Result
 from sketch2shape.reading.read import read_picture
 
-
 CONFIDENCE = 0.9
 
 

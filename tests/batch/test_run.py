@@ -147,7 +147,7 @@ def test_pages_and_tables_replace_no_input_and_no_file(here, option):
     assert (here / f"mine{ending}").read_text() == "mine"
     os.rename(f"mine{ending}", f"in/mine{ending}")
     inputs = ["in", f"in/mine{ending}"]
-    with pytest.raises(UsageError, match="would replace an input|by its name"):
+    with pytest.raises(UsageError, match=r"would replace an input|by its name"):
         command(*inputs, "-o", "out", option, f"in/mine{ending}", "--overwrite")
     assert not os.path.exists("out")
 

@@ -13,7 +13,6 @@ import pytest
 from sketch2shape import __version__
 from sketch2shape.command.parser import main, parse
 
-
 ROOT = Path(__file__).parents[2]
 
 
