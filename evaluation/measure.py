@@ -70,7 +70,7 @@ def _warm_up() -> None:
 def measure(case: Case, reconstruct: Reconstruct | None = None) -> Outcome:
     """Run the tool (or `reconstruct` in its place) on one picture and judge what it says."""
     import sketch2shape as s2s
-    from sketch2shape.conversion.report import report
+    from sketch2shape.pipeline.report import report
 
     ask = reconstruct or s2s.reconstruct
     start = time.perf_counter()

@@ -52,7 +52,7 @@ def pixels_of(picture: str) -> Pixels:
 def ask(pixels: Pixels) -> Answers:
     """What the tool reports for an array; none if it refuses."""
     import sketch2shape as s2s
-    from sketch2shape.conversion.report import report
+    from sketch2shape.pipeline.report import report
 
     try:
         return list(report(s2s.reconstruct(pixels))["objects"])

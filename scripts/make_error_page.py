@@ -26,7 +26,7 @@ exception below `sketch2shape.Sketch2ShapeError`, with `.message`, `.advice` and
 """
 
 TAIL = """| 3 | | several inputs, and some of them failed; the line of each says why | `--report FILE.jsonl` lists all |
-| 130 | | interrupted by Ctrl-C or SIGTERM | `--resume` |
+| 130 | | interrupted by Ctrl-C, SIGTERM or SIGHUP | `--resume` |
 
 A single picture ends with its own code; a folder, or several inputs, with 0, 3 or 130. What stops a batch before it
 starts (no pictures in it, outputs that exist already, options that contradict each other) ends with its own code too.

@@ -14,10 +14,18 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     from sketch2shape.batch import reconstruct_many as reconstruct_many
     from sketch2shape.connectors import connect as connect
+    from sketch2shape.connectors import connect_detailed as connect_detailed
     from sketch2shape.connectors import connect_faces as connect_faces
+    from sketch2shape.connectors import connect_faces_detailed as connect_faces_detailed
+    from sketch2shape.corrections import Corrections as Corrections
+    from sketch2shape.corrections import corrections_from as corrections_from
+    from sketch2shape.corrections import parse_corrections as parse_corrections
+    from sketch2shape.errors import CrashError as CrashError
+    from sketch2shape.errors import InterruptedRunError as InterruptedRunError
     from sketch2shape.errors import LimitError as LimitError
     from sketch2shape.errors import MissingPackageError as MissingPackageError
     from sketch2shape.errors import NoObjectError as NoObjectError
+    from sketch2shape.errors import OptionError as OptionError
     from sketch2shape.errors import PointsError as PointsError
     from sketch2shape.errors import Sketch2ShapeError as Sketch2ShapeError
     from sketch2shape.errors import UnreadableError as UnreadableError
@@ -25,35 +33,46 @@ if TYPE_CHECKING:
     from sketch2shape.errors import WriteError as WriteError
     from sketch2shape.ink import find_ink as find_ink
     from sketch2shape.lifting import LiftOptions as LiftOptions
-    from sketch2shape.lifting import lift as lift
     from sketch2shape.model import FacePair as FacePair
     from sketch2shape.model import Ink as Ink
     from sketch2shape.model import Picture as Picture
     from sketch2shape.model import Projection as Projection
-    from sketch2shape.model import Solid as Solid
     from sketch2shape.model import TwoFaceObject as TwoFaceObject
     from sketch2shape.pipeline import Result as Result
+    from sketch2shape.pipeline import Solid as Solid
+    from sketch2shape.pipeline import lift as lift
     from sketch2shape.pipeline import reconstruct as reconstruct
     from sketch2shape.reading import Limits as Limits
     from sketch2shape.reading import read_picture as read_picture
     from sketch2shape.search import separate_faces as separate_faces
+    from sketch2shape.strokes import DetectedCorners as DetectedCorners
+    from sketch2shape.strokes import Strokes as Strokes
     from sketch2shape.strokes import detect_corners as detect_corners
     from sketch2shape.strokes import trace_strokes as trace_strokes
 
 _ROOMS = {
     "batch": ("reconstruct_many",),
-    "connectors": ("connect", "connect_faces"),
+    "connectors": ("connect", "connect_detailed", "connect_faces", "connect_faces_detailed"),
+    "corrections": ("Corrections", "corrections_from", "parse_corrections"),
     "errors": (
-        *("LimitError", "MissingPackageError", "NoObjectError", "PointsError"),
+        *(
+            "CrashError",
+            "InterruptedRunError",
+            "LimitError",
+            "MissingPackageError",
+            "NoObjectError",
+            "OptionError",
+            "PointsError",
+        ),
         *("Sketch2ShapeError", "UnreadableError", "UsageError", "WriteError"),
     ),
     "ink": ("find_ink",),
-    "lifting": ("LiftOptions", "lift"),
-    "model": ("FacePair", "Ink", "Picture", "Projection", "Solid", "TwoFaceObject"),
-    "pipeline": ("Result", "reconstruct"),
+    "lifting": ("LiftOptions",),
+    "model": ("FacePair", "Ink", "Picture", "Projection", "TwoFaceObject"),
+    "pipeline": ("Result", "Solid", "lift", "reconstruct"),
     "reading": ("Limits", "read_picture"),
     "search": ("separate_faces",),
-    "strokes": ("detect_corners", "trace_strokes"),
+    "strokes": ("DetectedCorners", "Strokes", "detect_corners", "trace_strokes"),
 }
 """Package -> the public names it defines. A test holds it against what type checkers see above."""
 

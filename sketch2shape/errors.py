@@ -34,6 +34,12 @@ class PointsError(UsageError, ValueError):
     remedy = "pass an (n, 2) array of finite numbers, n >= 3, without duplicates"
 
 
+class OptionError(UsageError, TypeError):
+    """A function was given an option that it does not have."""
+
+    remedy = "another name, see help()"
+
+
 class UnreadableError(Sketch2ShapeError):
     """The input is missing, damaged or not an image."""
 

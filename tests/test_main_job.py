@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from evaluation import metrics
-from sketch2shape.conversion.report import report
+from sketch2shape.pipeline.report import report
 from sketch2shape.errors import NoObjectError
 from sketch2shape.pipeline import reconstruct
 

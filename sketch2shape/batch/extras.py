@@ -12,7 +12,7 @@ from sketch2shape.batch.plan import Planned
 from sketch2shape.batch.table import check_table, encode_table
 from sketch2shape.conversion.convert import Outcome
 from sketch2shape.conversion.inputs import keep_inputs
-from sketch2shape.conversion.products import wants_pages
+from sketch2shape.conversion.options import wants_pages
 from sketch2shape.writing import exists_error, write_file
 
 

@@ -10,8 +10,8 @@ from pathlib import Path, PurePath
 
 from sketch2shape.conversion.convert import Output
 from sketch2shape.conversion.inputs import fold, keep_inputs
-from sketch2shape.conversion.products import infixed, suffix
 from sketch2shape.errors import UnreadableError, UsageError, WriteError
+from sketch2shape.pipeline.products import infixed, suffix
 from sketch2shape.reading.read import SUFFIXES
 
 

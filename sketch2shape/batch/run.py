@@ -19,9 +19,10 @@ from sketch2shape.batch.pool import run_tasks
 from sketch2shape.batch.progress import Progress, follow
 from sketch2shape.batch.table import show_summary, summary
 from sketch2shape.conversion.convert import Outcome, Settings, Task
-from sketch2shape.conversion.products import PICTURES, product_of, products_of
+from sketch2shape.conversion.options import products_of
 from sketch2shape.corrections import check_pictures
 from sketch2shape.errors import InterruptedRunError, UsageError
+from sketch2shape.pipeline.products import PICTURES, product_of
 from sketch2shape.writing import FolderLock, make_folder, sweep, tell, write_stdout
 
 Work = Callable[[Task], Outcome]

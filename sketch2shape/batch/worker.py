@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 import threading
+import warnings
 
 #: modules that the fork server imports once for all workers: what one picture or another needs, also inside functions
 PRELOAD = (
@@ -29,6 +30,7 @@ def prepare(max_memory: int | None) -> None:
 
     max_memory : bytes that may be taken on top of what the program itself takes now
     """
+    warnings.simplefilter("ignore")  # decoders warn of what is odd in a file; a worker has no one to tell
     signal.signal(signal.SIGTERM, signal.SIG_DFL)  # ended at once, also in the middle of a long computation
     die_with_parent()
     with contextlib.suppress(ImportError):

@@ -6,8 +6,9 @@ import os
 from argparse import Namespace
 from collections.abc import Sequence
 
-from sketch2shape.conversion.products import products_of, suffix
+from sketch2shape.conversion.options import products_of
 from sketch2shape.errors import UnreadableError, UsageError
+from sketch2shape.pipeline.products import suffix
 from sketch2shape.reading.read import SUFFIXES as PICTURE_ENDINGS
 
 _LENGTH_UNITS = frozenset({"px", "mm", "cm", "m", "in", "inch"})

@@ -9,16 +9,9 @@ from pathlib import Path
 
 from sketch2shape.conversion.convert import Output
 from sketch2shape.conversion.inputs import keep_inputs
-from sketch2shape.conversion.products import (
-    PICTURES,
-    SUFFIXES,
-    formats_of,
-    infixed,
-    product_of,
-    suffix,
-    wants_pages,
-)
+from sketch2shape.conversion.options import formats_of, wants_pages
 from sketch2shape.errors import UsageError
+from sketch2shape.pipeline.products import PICTURES, SUFFIXES, infixed, product_of, suffix
 from sketch2shape.writing import exists_error, is_stream
 
 

@@ -6,6 +6,7 @@ import argparse
 import os
 import re
 import sys
+import warnings
 from collections.abc import Sequence
 from typing import NoReturn
 
@@ -238,6 +239,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     occupy_descriptors()
     words = list(sys.argv[1:] if argv is None else argv)
     arguments = argparse.Namespace(inputs=["ui"], debug=False) if words[:1] == ["ui"] else parse(words)
+    if not arguments.debug:
+        warnings.simplefilter("ignore")  # decoders warn of what is odd in a file
     try:
         if words[:1] == ["ui"]:
             from sketch2shape.ui.serve import main as serve

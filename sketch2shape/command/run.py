@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from sketch2shape.command.checks import check_effects, check_input, check_inputs
 from sketch2shape.command.outputs import outputs_of, settled
 from sketch2shape.conversion.convert import Outcome, Output, Settings, Task, convert
-from sketch2shape.conversion.products import wants_pages
+from sketch2shape.conversion.options import wants_pages
 from sketch2shape.conversion.telling import Teller
 from sketch2shape.corrections import check_pictures, read_corrections
 from sketch2shape.errors import UnreadableError

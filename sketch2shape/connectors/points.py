@@ -20,7 +20,7 @@ FLAT = 1e-12
 
 
 def as_points(points: ArrayLike, *, minimum: int = 3, limit: int | None = None, method: str = "connect") -> Floats:
-    """The points as a contiguous (n, 2) float array.
+    """The points, (n, 2) or OpenCV's (n, 1, 2), as a contiguous (n, 2) float array.
 
     Raises PointsError unless they are `minimum` or more finite pairs of reasonable size, LimitError (before any is
     looked at) if they are more than `limit`, the most that `method` can order in reasonable time.
@@ -29,6 +29,8 @@ def as_points(points: ArrayLike, *, minimum: int = 3, limit: int | None = None, 
         array = np.asarray(points)
     except ValueError as error:
         raise PointsError("expected an (n, 2) array of numbers, got rows of different lengths") from error
+    if array.ndim == 3 and array.shape[1:] == (1, 2):  # as OpenCV gives contours and corners
+        array = array[:, 0]
     if array.dtype.kind not in "iuf":
         raise PointsError(f"expected an (n, 2) array of real numbers, got elements of type {array.dtype}")
     if array.ndim != 2 or array.shape[1] != 2:

@@ -16,7 +16,7 @@ from sketch2shape.model import Floats, Ints
 def connect(points: ArrayLike, method: str = "auto", **parameters: Any) -> Ints:
     """Order the unordered vertices of a face into its polygon.
 
-    points     : (n, 2) numbers, n >= 3, distinct, not all on one line
+    points     : (n, 2) numbers (or (n, 1, 2), as OpenCV has them), n >= 3, distinct, not all on one line
     method     : a name from `methods()`
     parameters : what the method takes, see its docstring
 

@@ -8,12 +8,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from sketch2shape.conversion.products import encode_product, infixed
-from sketch2shape.conversion.report import encode_report, report
 from sketch2shape.conversion.summary import describe, least_confidence
 from sketch2shape.corrections import parse_corrections
 from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError, WriteError
 from sketch2shape.model import Answer, Picture
+from sketch2shape.pipeline.products import encode_product, infixed
+from sketch2shape.pipeline.report import encode_report, report
 from sketch2shape.reading.limits import Limits
 from sketch2shape.reading.read import count_pages, read_bytes, read_picture
 from sketch2shape.writing import quiet_stderr, write_file, write_stdout

@@ -9,6 +9,8 @@ faint and for strong strokes alike. Hatching, letters and specks go last.
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 
@@ -23,6 +25,7 @@ from sketch2shape.ink.noise import noise_of, paper_marks, without_bands
 from sketch2shape.ink.page import find_page, page_homography
 from sketch2shape.ink.pen_width import FINE, pen_width_of, rough_pen_width
 from sketch2shape.model import Bools, Floats, Gray, Ink, Picture, as_gray
+from sketch2shape.reading import read_picture
 
 FLOOR = 8.0
 """Contrast below which nothing is ink, in 255ths."""
@@ -36,12 +39,15 @@ PALE = 16
 """Contrast of ringing is below this nearly everywhere."""
 
 
-def find_ink(picture: Picture) -> Ink:
+def find_ink(source: Any) -> Ink:
     """Find the ink of a drawing on any ground, light or dark.
 
-    picture : (h, w, 3) uint8 RGB
+    source  : path, bytes, PIL image, array (gray, RGB, RGBA), or `Picture`
     returns : `Ink` at working size; an empty mask where nothing was drawn
+
+    Raises UnreadableError or LimitError for a picture that cannot be read.
     """
+    picture = read_picture(source, reduced=True)
     ground = read_ground(picture.pixels)
     scale = ground.scale / picture.reduction
     contrast, noise, page = ground.contrast, ground.noise, None

@@ -7,7 +7,7 @@ first pixel at (0, 0). Solid coordinates are right-handed: x right, y down, z aw
 from __future__ import annotations
 
 from sketch2shape.model.answer import TRUSTED, Answer
-from sketch2shape.model.arrays import Bools, Floats, Gray, Ints, as_gray
+from sketch2shape.model.arrays import Bools, Brief, Floats, Gray, Ints, as_gray, brief
 from sketch2shape.model.boundary import (
     Boundary,
     Curve,
@@ -32,6 +32,7 @@ __all__ = [
     "Answer",
     "Bools",
     "Boundary",
+    "Brief",
     "Curve",
     "DirectedEdge",
     "Edge",
@@ -52,6 +53,7 @@ __all__ = [
     "Surface",
     "TwoFaceObject",
     "as_gray",
+    "brief",
     "polyhedron",
     "ring_edges",
     "to_picture",

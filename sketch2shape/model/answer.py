@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.model.arrays import Brief
 from sketch2shape.model.drawing import TwoFaceObject
 from sketch2shape.model.picture import Picture
 from sketch2shape.model.solid import Solid
@@ -13,8 +14,8 @@ TRUSTED = 0.9
 """Confidence from which an answer need not be looked at: of those at least 99 in 100 are right."""
 
 
-@dataclass(frozen=True)
-class Answer:
+@dataclass(frozen=True, eq=False, repr=False)
+class Answer(Brief):
     """The answer for one picture.
 
     objects    : the two-face objects found, best first
@@ -27,7 +28,7 @@ class Answer:
     objects: tuple[TwoFaceObject, ...]
     solids: tuple[Solid, ...]
     picture: Picture
-    timings_ms: dict[str, float] = field(default_factory=dict)
+    timings_ms: dict[str, float] = field(default_factory=dict, repr=False)
     error: Sketch2ShapeError | None = None
 
     @property

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import MISSING, Field, fields
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,44 @@ Bools = NDArray[np.bool_]
 
 
 Gray = NDArray[np.uint8]
+
+
+_MOST = 6
+"""Items up to which a tuple is shown whole."""
+
+
+class Brief:
+    """Shows itself in a line: arrays by their shape, and nothing that has its default value.
+
+    Base of dataclasses that hold arrays. Those are equal to themselves alone (`eq=False`): an array has no truth value.
+    """
+
+    def __repr__(self) -> str:
+        """As in `TwoFaceObject(f1=(4, 2) float64, f2=(4, 2) float64, confidence=0.99)`."""
+        own = cast("Any", self)
+        shown = [
+            f"{field.name}={brief(getattr(own, field.name))}"
+            for field in fields(own)
+            if field.repr and not _is_default(getattr(own, field.name), field)
+        ]
+        return f"{type(self).__name__}({', '.join(shown)})"
+
+
+def brief(value: object) -> str:
+    """A value in a few words: an array by its shape and type, a long tuple by its length."""
+    if isinstance(value, np.ndarray):
+        return f"{value.shape} {value.dtype}"
+    if isinstance(value, tuple) and len(value) > _MOST:
+        return f"({brief(value[0])}, ... {len(value)} in all)"
+    if isinstance(value, tuple):
+        return f"({', '.join(map(brief, value))}{',' * (len(value) == 1)})"
+    return repr(value)
+
+
+def _is_default(value: object, field: Field[Any]) -> bool:
+    if isinstance(value, np.ndarray):
+        return False
+    return value == (field.default_factory() if field.default_factory is not MISSING else field.default)
 
 
 def as_gray(array: NDArray[Any]) -> Gray:

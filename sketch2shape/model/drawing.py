@@ -6,15 +6,17 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from sketch2shape.model.arrays import Bools, Floats, Ints
+from sketch2shape.errors import PointsError
+from sketch2shape.model.arrays import Bools, Brief, Floats, Ints
 
 Lines = Literal["wire", "dashed", "removed"]
 """How hidden edges are drawn: like all others, dashed (or dotted), or not at all."""
 
 
-@dataclass(frozen=True)
-class FacePair:
+@dataclass(frozen=True, eq=False, repr=False)
+class FacePair(Brief):
     """Two corresponding rings: f1[i] joins f2[i].
 
     f1 : (n, 2) float, pixels, ring order
@@ -24,9 +26,13 @@ class FacePair:
     f1: Floats
     f2: Floats
 
+    def __post_init__(self) -> None:
+        """Take lists and OpenCV's (n, 1, 2) too. Raises PointsError for what is no pair of rings."""
+        _settle_rings(self)
 
-@dataclass(frozen=True)
-class TwoFaceObject:
+
+@dataclass(frozen=True, eq=False, repr=False)
+class TwoFaceObject(Brief):
     """The object found in a drawing, in the picture's plane.
 
     f1, f2     : (n, 2) float pixels, front and back face in ring order, f1[i] joins f2[i]
@@ -49,6 +55,10 @@ class TwoFaceObject:
     noise: float = 0.0
     page: Floats | None = None
 
+    def __post_init__(self) -> None:
+        """Take lists and OpenCV's (n, 1, 2) too. Raises PointsError for what is no pair of rings."""
+        _settle_rings(self)
+
     @property
     def rings(self) -> tuple[FacePair, ...]:
         """The outer pair of rings, then the holes."""
@@ -68,6 +78,28 @@ class TwoFaceObject:
         """The same object with f1 and f2 (and those of the holes) exchanged."""
         holes = tuple(FacePair(h.f2, h.f1) for h in self.holes)
         return replace(self, f1=self.f2, f2=self.f1, holes=holes, connectors=self.connectors[::-1])
+
+
+def _settle_rings(pair: FacePair | TwoFaceObject) -> None:
+    """Make arrays of a pair of corresponding rings. Raises PointsError."""
+    f1, f2 = as_ring(pair.f1, "f1"), as_ring(pair.f2, "f2")
+    if len(f2) not in (len(f1), 1):
+        raise PointsError(f"f1 has {len(f1)} vertices and f2 {len(f2)}", remedy="f1[i] joins f2[i]: as many of each")
+    object.__setattr__(pair, "f1", f1)
+    object.__setattr__(pair, "f2", f2)
+
+
+def as_ring(points: ArrayLike, name: str) -> Floats:
+    """(n, 2) float of points given in any form; `name` is for the message. Raises PointsError."""
+    try:
+        ring = np.asarray(points, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise PointsError(f"{name} must be points (n, 2)") from error
+    if ring.ndim == 3 and ring.shape[1] == 1:
+        ring = ring[:, 0]
+    if ring.ndim != 2 or ring.shape[1] != 2:
+        raise PointsError(f"{name} has the shape {ring.shape}, not (n, 2)")
+    return ring
 
 
 def ring_edges(sizes: list[int]) -> Ints:

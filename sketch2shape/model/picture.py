@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.model.arrays import Bools, Floats, Gray
+from sketch2shape.model.arrays import Bools, Brief, Floats, Gray
 
 
-@dataclass(frozen=True)
-class Picture:
+@dataclass(frozen=True, eq=False, repr=False)
+class Picture(Brief):
     """A decoded image.
 
     pixels    : (h, w, 3) uint8 RGB, EXIF orientation applied, transparency composited
@@ -35,8 +35,8 @@ class Picture:
         return round(max(self.size) / max(int(height), int(width)))
 
 
-@dataclass(frozen=True)
-class Ink:
+@dataclass(frozen=True, eq=False, repr=False)
+class Ink(Brief):
     """What was drawn, at working size.
 
     mask      : (h, w) bool, True where there is ink

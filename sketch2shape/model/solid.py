@@ -7,11 +7,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sketch2shape.model.arrays import Floats, Ints
+from sketch2shape.model.arrays import Brief, Floats, Ints
 from sketch2shape.model.boundary import Boundary, Edge, Face, Ring
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Projection:
     """How the object was projected onto the paper.
 
@@ -23,7 +23,7 @@ class Projection:
     evidence: dict[str, Any] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Alternative:
     """Another solid that the drawing may be of.
 
@@ -41,8 +41,8 @@ class Alternative:
     probability: float
 
 
-@dataclass(frozen=True)
-class Solid:
+@dataclass(frozen=True, eq=False, repr=False)
+class Solid(Brief):
     """The three-dimensional object.
 
     boundary   : its vertices, edges and faces, in `unit`; of a two-face object see `two_face_boundary`

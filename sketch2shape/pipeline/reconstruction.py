@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -14,9 +14,12 @@ from sketch2shape.connectors import check_connector, connector_of
 from sketch2shape.errors import NoObjectError
 from sketch2shape.evidence import REFUSE_BELOW, SURE, calibrated, vouched
 from sketch2shape.model import Ink, TwoFaceObject
+from sketch2shape.pipeline.options import explained, lift_options_of
 from sketch2shape.pipeline.result import Result
+from sketch2shape.pipeline.solid import Solid
+from sketch2shape.pipeline.solid import lift as lift_solid
 from sketch2shape.search import Found, as_object, find_all
-from sketch2shape.strokes import check_detector
+from sketch2shape.strokes import detector_named
 
 if TYPE_CHECKING:
     from sketch2shape.corrections import Corrections
@@ -24,46 +27,46 @@ if TYPE_CHECKING:
     from sketch2shape.reading.limits import Limits
 
 
+@explained
 def reconstruct(
     source: Any,
     *,
     connector: str = "auto",
     detector: str = "auto",
     limits: Limits | None = None,
-    lift: LiftOptions | None = None,
+    lift: LiftOptions | Mapping[str, Any] | None = None,
     corrections: Corrections | None = None,
     min_confidence: float = 0.0,
 ) -> Result:
     """The solid shown in a drawing.
 
-    source      : path, bytes, PIL image, array (gray, RGB, RGBA) or `Picture`
+    source      : path, bytes, open file, PIL image, array or `Picture`, see `read_picture`
     connector   : orders the vertices of each face where the ink agrees: "auto", a method of `connect`, or "ink"
-    detector    : "shi-tomasi", "harris" or "both" have to see the vertices found, or confidence falls; "auto" asks both
-                  where there is doubt
+    detector    : "shi-tomasi" ("goodFeaturesToTrack"), "harris" or "both" have to see the vertices found, or
+                  confidence falls; "auto" asks both where there is doubt
     limits      : what is refused before decoding
-    lift        : how to read the third dimension
+    lift        : how to read the third dimension: `LiftOptions`, or its fields by name
     corrections : what a person put right by hand; complete ones replace the reading
     min_confidence : objects that are less sure are left out, 0..1
 
-    Raises UsageError for an unknown connector or detector, UnreadableError, LimitError, or NoObjectError if no two-face
-    object is found with enough confidence.
+    Raises UsageError for an unknown option, connector or detector, UnreadableError, LimitError, or NoObjectError if no
+    two-face object is found with enough confidence.
     """
     from sketch2shape.corrections import corrected, lift_options
     from sketch2shape.ink import find_ink
-    from sketch2shape.lifting import LiftOptions, choose_front
-    from sketch2shape.lifting import lift as lift_object
+    from sketch2shape.lifting import choose_front
     from sketch2shape.reading.read import read_picture
 
     check_connector(connector)
     if detector != "auto":
-        check_detector(detector)
+        detector = detector_named(detector)
     timings: dict[str, float] = {}
-    options = lift or LiftOptions()
+    options = lift_options_of(lift)
     with _timed(timings, "read"):
         picture = read_picture(source, limits, reduced=True)
     if corrections is not None and corrections.complete:
         given = corrected(picture, corrections, options)
-        return Result(given.objects, given.solids, given.picture)
+        return Result(given.objects, tuple(map(Solid.of, given.solids)), given.picture)
     with _timed(timings, "ink"):
         ink = find_ink(picture)
     with _timed(timings, "faces"):
@@ -73,7 +76,7 @@ def reconstruct(
         raise _why_not(objects, ink, min_confidence)
     with _timed(timings, "lift"):
         solids = tuple(
-            lift_object(o, picture_size=picture.size, options=lift_options(corrections, k, options))
+            lift_solid(o, picture_size=picture.size, options=lift_options(corrections, k, options))
             for k, o in enumerate(sure)
         )
     return Result(sure, solids, picture, timings)

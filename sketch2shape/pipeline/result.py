@@ -8,14 +8,21 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sketch2shape.model import Answer
+from sketch2shape.pipeline.solid import Solid
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Result(Answer):
-    """An `Answer` that can be shown and written."""
+    """An `Answer` that can be shown and written; its solids can be, too."""
+
+    solids: tuple[Solid, ...]
+
+    def __post_init__(self) -> None:
+        """Take plain solids as well."""
+        object.__setattr__(self, "solids", tuple(map(Solid.of, self.solids)))
 
     @property
     def mesh(self) -> Trimesh:
@@ -25,18 +32,20 @@ class Result(Answer):
         return to_trimesh(self.solids)
 
     def export(self, path: str | PathLike[str], format: str | None = None, *, ngons: bool = False) -> Path:
-        """Write the solids to a file, all or nothing, and return its path.
+        """Write the solids, the report or a picture to a file, all or nothing, and return its path.
 
-        format : a key of `sketch2shape.export.FORMATS`; None takes it from the extension
+        format : a key of `sketch2shape.export.FORMATS`, or "json" (the report), "overlay", "stages", "preview" (PNG),
+                 "html"; None takes it from the name: "a.stl", "a.json", "a.overlay.png"
         ngons  : in OBJ, write whole polygons as faces instead of triangles
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
-        from sketch2shape.export import encode, format_of
+        from sketch2shape.pipeline.products import encode_product, product_of
         from sketch2shape.writing import write_file
 
         target = Path(path)
-        write_file(target, encode(self, format or format_of(target), ngons=ngons), overwrite=True)
+        data = encode_product(format or product_of(str(target)), self, {"ngons": ngons})
+        write_file(target, data, overwrite=True)
         return target
 
     def _repr_html_(self) -> str:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 Pixels = NDArray[np.uint8]
 
-_INTEGERS = "an array (h, w), (h, w, 3) or (h, w, 4) of uint8; for floats in 0..1: (a * 255).astype('uint8')"
+_INTEGERS = "an array (h, w), (h, w, 3) or (h, w, 4) of integers, or of floats in 0..1"
 
 #: EXIF tag of the side that is up
 _ORIENTATION = 0x0112
@@ -124,14 +124,24 @@ def _light_ink(rgba: NDArray[np.uint8]) -> bool:
     return mean > _LIGHT and dark < _DARK_PART
 
 
+def _eight_bits(array: NDArray[Any]) -> Pixels:
+    """Floats in 0..1, as OpenCV, scikit-image and matplotlib show them, or in 0..255. Raises UnreadableError."""
+    low, high = float(array.min()), float(array.max())
+    if low < 0 or high > 255:
+        raise UnreadableError(f"an array of floats from {low:g} to {high:g} is no picture", remedy=_INTEGERS)
+    return np.rint(array * (255.0 if high <= 1.0 else 1.0)).astype(np.uint8)
+
+
 def from_array(source: Any, limits: Limits) -> Pixels:
-    """(h, w, 3) uint8 of an array (h, w), (h, w, 1), (h, w, 3) or (h, w, 4) of integers or booleans.
+    """(h, w, 3) uint8 of an array (h, w), (h, w, 1), (h, w, 3) or (h, w, 4) of integers, booleans, or floats in 0..1.
 
     Raises UnreadableError on other shapes and types, LimitError on too many pixels.
     """
     array = np.asarray(source)
     if array.dtype.kind == "f" and array.size and not np.isfinite(array).all():
         raise UnreadableError("the array holds NaN or infinite values", remedy=_INTEGERS)
+    if array.dtype.kind == "f" and array.size:
+        array = _eight_bits(array)
     if array.dtype.kind not in "uib":
         raise UnreadableError(f"an array of {array.dtype} is no picture", remedy=_INTEGERS)
     if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] not in (1, 3, 4)) or 0 in array.shape:

@@ -74,8 +74,8 @@ def read_picture(
 ) -> Picture:
     """Read one picture, as a viewer would show it.
 
-    source : path, encoded bytes, open binary file, PIL image, or array (h, w), (h, w, 3) or (h, w, 4) of integers or
-             booleans; a Picture is returned as it is
+    source : path, encoded bytes, open file, PIL image, or array (h, w), (h, w, 3) RGB or (h, w, 4) RGBA of integers,
+             booleans or floats in 0..1 (OpenCV's own are BGR: give `image[..., ::-1]`); a Picture is returned as it is
     page   : page of a TIFF or PDF, from 0; an animation gives its first frame
     name   : what messages and reports call it; default: the path, or a word for the kind of source
     reduced : decode a large JPEG no finer than the ink is looked for, in a fraction of the time; `Picture.size` is
@@ -139,12 +139,29 @@ def read_bytes(source: Any, limits: Limits) -> bytes:
     elif isinstance(source, str | os.PathLike):
         data = _read_file(source, limits)
     else:
-        data = source.read(limits.max_bytes + 1)
-        if not isinstance(data, bytes):
-            raise UnreadableError("the open file gives text, not bytes", remedy="open it in binary mode")
+        data = _read_open(source, limits)
         limits.check_bytes(len(data))
     if not data:
         raise UnreadableError("the file is empty")
+    return data
+
+
+def _read_open(file: Any, limits: Limits) -> bytes:
+    """The rest of an open file; all of it where it stands at its end, as one does that has just been written."""
+    binary = getattr(file, "buffer", file)  # a file opened as text holds the same bytes
+    try:
+        data = binary.read(limits.max_bytes + 1)
+        if not data and binary.seekable() and binary.tell():
+            binary.seek(0)
+            data = binary.read(limits.max_bytes + 1)
+    except (OSError, ValueError, AttributeError) as error:
+        raise UnreadableError(
+            f"the open file cannot be read ({_first_line(error)})", remedy="a path or bytes"
+        ) from None
+    if isinstance(data, str):  # text in memory: an SVG
+        return data.encode("utf-8", "surrogateescape")
+    if not isinstance(data, bytes):
+        raise UnreadableError(f"the open file gives {type(data).__name__}, not bytes", remedy="open it in binary mode")
     return data
 
 
@@ -288,12 +305,8 @@ def _guarded(decode: Callable[[], R]) -> R:
     Decoders raise nearly every class of exception on damaged input (struct.error, KeyError, SyntaxError, ...), so this
     is the one place that catches them all.
     """
-    import warnings
-
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return decode()
+        return decode()
     except Sketch2ShapeError:
         raise
     except MemoryError:

@@ -22,19 +22,21 @@ from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject, to_picture,
 from sketch2shape.search.attempts import GOOD, wire_hypotheses
 from sketch2shape.search.shortlist import MOST_HYPOTHESES, verified
 from sketch2shape.search.tolerances import Round, corner_graph, rounds_for, vertex_candidates
-from sketch2shape.strokes import Skeleton, ink_of, join_ends, thin, trace_skeleton
+from sketch2shape.strokes import DetectedCorners, Skeleton, ink_of, join_ends, thin, trace_skeleton
 
 LEAST = 0.5
 """A hypothesis that explains less than this is none."""
 
 
-def separate_faces(source: Any, *, corners: ArrayLike | None = None, most: int = 8) -> tuple[TwoFaceObject, ...]:
+def separate_faces(
+    source: Any, *, corners: ArrayLike | DetectedCorners | None = None, most: int = 8
+) -> tuple[TwoFaceObject, ...]:
     """Hypotheses of the front and back faces of what is drawn, best first.
 
     source  : path, bytes, PIL image, array (gray, RGB, RGBA), `Picture`, or the `Ink` of one
-    corners : (k, 2) float, picture pixels, k >= 6: all vertices of the object, in any order, if they are known; they
-              are used as they are. None: the corners where strokes meet, at growing tolerance until one explains the
-              drawing
+    corners : (k, 2) float, picture pixels, k >= 6: all vertices of the object, in any order, if they are known, or
+              what `detect_corners` returns; they are used as they are. None: the corners where strokes meet, at
+              growing tolerance until one explains the drawing
     most    : how many hypotheses are given at most
 
     Returns objects in picture pixels, not yet refined; their confidence is how well each explains its part of the
@@ -43,6 +45,8 @@ def separate_faces(source: Any, *, corners: ArrayLike | None = None, most: int =
     cannot be read.
     """
     ink = ink_of(source)
+    if isinstance(corners, DetectedCorners):
+        corners = corners.vertices
     known = None if corners is None else to_working(as_points(corners, minimum=6), ink.scale)
     found = []
     for group in split_groups(ink):

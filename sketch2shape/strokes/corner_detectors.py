@@ -15,8 +15,10 @@ import numpy as np
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Bools, Floats, Ink
 
-Detector = Literal["both", "shi-tomasi", "harris"]
+Detector = Literal["auto", "both", "shi-tomasi", "goodFeaturesToTrack", "harris"]
 DETECTORS: tuple[str, ...] = ("both", "shi-tomasi", "harris")
+#: other names: OpenCV's function is Shi-Tomasi unless it is told otherwise
+OTHER_NAMES = {"auto": "both", "goodfeaturestotrack": "shi-tomasi", "shitomasi": "shi-tomasi", "cornerharris": "harris"}
 PEN = 2.5
 """Pen width, pixels, at which the detectors look: wider lines would be seen as two edges each."""
 MOST = 600
@@ -26,10 +28,14 @@ MARK = 32
 """Side of the square beside the picture that holds a right angle for comparison, pixels."""
 
 
-def check_detector(name: str) -> None:
-    """Raise UsageError unless it is one of `DETECTORS`."""
-    if name not in DETECTORS:
-        raise UsageError(f"expected detector to be one of {', '.join(DETECTORS)}, got {name!r}")
+def detector_named(name: str) -> str:
+    """The one of `DETECTORS` that a name means: itself, "goodFeaturesToTrack", ... Raises UsageError."""
+    plain = str(name).lower().replace("_", "-")
+    known = OTHER_NAMES.get(plain.replace("-", ""), plain)
+    if known not in DETECTORS:
+        listed = ", ".join(("auto", *DETECTORS, "goodFeaturesToTrack"))
+        raise UsageError(f"no corner detector is called {name!r}", remedy=f"detector= one of {listed}")
+    return known
 
 
 def reach_of(ink: Ink, tolerance: float) -> float:

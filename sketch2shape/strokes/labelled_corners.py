@@ -14,14 +14,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sketch2shape.model import Bools, Floats, Ints, to_picture
-from sketch2shape.strokes.corner_detectors import DETECTORS, Detector, check_detector, near, propose, reach_of
+from sketch2shape.model import Bools, Brief, Floats, Ints, to_picture
+from sketch2shape.strokes.corner_detectors import DETECTORS, Detector, detector_named, near, propose, reach_of
 from sketch2shape.strokes.junctions import Corners as Joined
 from sketch2shape.strokes.junctions import join_ends, slanted_pairs
 from sketch2shape.strokes.stage import drawn_strokes, ink_of, working_tolerance
 from sketch2shape.strokes.tracing import Strokes
 
-Kind = Literal["end", "L", "Y", "W", "T", "X", "multi"]
+Kind = Literal["end", "L", "Y", "W", "T", "X", "multi", "none"]
 
 STRAIGHT = 0.26
 """Two strokes that meet at less than this (radians, 15 degrees) from straight run on through the corner."""
@@ -29,17 +29,19 @@ SPECK = 0.05
 """A stroke by itself, shorter than this part of the drawing, is a dash or part of a letter: its ends are no corners."""
 
 
-@dataclass(frozen=True)
-class DetectedCorners:
+@dataclass(frozen=True, eq=False, repr=False)
+class DetectedCorners(Brief):
     """Corners of a drawing; vertices first, then crossings and loose ends.
 
-    points     : (k, 2) float, picture pixels, sub-pixel
+    points     : (k, 2) float, picture pixels: where strokes meet, sub-pixel; of a detector asked by name, its places
     kinds      : k names: "L" two strokes turn; "Y" three, none of the angles over 180 degrees; "W" three, one is;
                  "T" a stroke ends on another; "X" two strokes cross, both running on; "multi" more than three
-                 end there, or run on; "end" a stroke ends in the open
-    degree     : (k,) int, how many arms leave the corner: 1 for an end, 2 for L, 3 for Y, W and T, 4 for X
+                 end there, or run on; "end" a stroke ends in the open; "none" no strokes meet there: a detector asked
+                 by name sees more than one place at a blunt corner, and others along the strokes
+    degree     : (k,) int, how many arms leave the corner: 0 for none, 1 for an end, 2 for L, 3 for Y, W and T, 4 for X
     shi_tomasi : (k,) bool, proposed by Shi-Tomasi
     harris     : (k,) bool, proposed by Harris
+    placed     : (k, 2) float, picture pixels: where the strokes put each corner, `points` where they know of none
     """
 
     points: Floats
@@ -47,16 +49,17 @@ class DetectedCorners:
     degree: Ints
     shi_tomasi: Bools
     harris: Bools
+    placed: Floats
 
     @property
     def is_vertex(self) -> Bools:
-        """(k,) bool: what can be a vertex of the object: neither crossing nor loose end. At a T something is hidden."""
-        return np.array([kind not in ("X", "end") for kind in self.kinds], bool)
+        """(k,) bool: what can be a vertex of the object: strokes meet there and end. At a T something is hidden."""
+        return np.array([kind not in ("X", "end", "none") for kind in self.kinds], bool)
 
     @property
     def vertices(self) -> Floats:
-        """(m, 2) float: the points that can be vertices."""
-        return self.points[self.is_vertex]
+        """(m, 2) float: the corners that can be vertices, where the strokes put them."""
+        return self.placed[self.is_vertex]
 
     def __len__(self) -> int:
         """How many corners."""
@@ -67,39 +70,60 @@ def detect_corners(source: Any, detector: Detector = "both", *, tolerance: float
     """Corners of a drawing, with their kind.
 
     source    : path, bytes, PIL image, array (gray, RGB, RGBA), `Picture`, or the `Ink` of one
-    detector  : whose proposals count: "shi-tomasi", "harris", or "both" for either's
+    detector  : "both" (or "auto"): where strokes meet and either detector sees it, placed by the strokes;
+                "shi-tomasi" (or "goodFeaturesToTrack") or "harris": all that this detector sees, strongest first,
+                where it sees it, to a few pixels; the strokes only say what is there
     tolerance : picture pixels by which a drawn line may stray from a straight one, see `trace_strokes`
-    Raises UsageError for an unknown detector, UnreadableError or LimitError for a picture that cannot be read.
+
+    `separate_faces(source, corners=...)` takes what is returned. Raises UsageError for an unknown detector,
+    UnreadableError or LimitError for a picture that cannot be read.
     """
-    check_detector(detector)
+    chosen = detector_named(detector)
     ink = ink_of(source)
     stray = working_tolerance(ink, tolerance)
     strokes = _drawing(drawn_strokes(ink, stray))
-    if not len(strokes.ends):
-        return _empty()
-    found = _with_crossings(strokes, ink.pen_width)
-    seen = {name: near(found.points, propose(ink, name), reach_of(ink, stray)) for name in DETECTORS[1:]}
-    counts = seen["shi-tomasi"] | seen["harris"] if detector == "both" else seen[detector]
-    keep = np.flatnonzero(counts)
+    joined = _with_crossings(strokes, ink.pen_width) if len(strokes.ends) else _nothing()
+    places = {name: propose(ink, name) for name in DETECTORS[1:]}
+    reach = reach_of(ink, stray)
+    found = joined if chosen == "both" else _as_seen(places[chosen], joined, reach)
+    seen = {name: near(found.points, place, reach) for name, place in places.items()}
+    keep = np.flatnonzero(seen["shi-tomasi"] | seen["harris"])
     return DetectedCorners(
         to_picture(found.points[keep], ink.scale),
         tuple(found.kinds[k] for k in keep),
         found.degree[keep],
         seen["shi-tomasi"][keep],
         seen["harris"][keep],
+        to_picture(found.placed[keep], ink.scale),
     )
 
 
 @dataclass(frozen=True)
 class _Meetings:
+    """Corners in working pixels: where they are seen, what they are, and where the strokes put them."""
+
     points: Floats
     kinds: tuple[Kind, ...]
     degree: Ints
+    placed: Floats
 
 
-def _empty() -> DetectedCorners:
-    none = np.zeros(0, bool)
-    return DetectedCorners(np.zeros((0, 2)), (), np.zeros(0, np.intp), none, none)
+def _nothing() -> _Meetings:
+    return _Meetings(np.zeros((0, 2)), (), np.zeros(0, np.intp), np.zeros((0, 2)))
+
+
+def _as_seen(places: Floats, joined: _Meetings, reach: float) -> _Meetings:
+    """The places of a detector (k, 2), each corner of the strokes labelling the one that is nearest to it."""
+    kinds: list[Kind] = ["none"] * len(places)
+    degree, placed = np.zeros(len(places), np.intp), places.copy()
+    if len(places) and len(joined.points):
+        gap = np.linalg.norm(places[:, None] - joined.points[None], axis=2)
+        for corner in np.argsort(gap.min(axis=0), kind="stable").tolist():
+            place = int(gap[:, corner].argmin())
+            if gap[place, corner] <= reach and kinds[place] == "none":
+                kinds[place], degree[place] = joined.kinds[corner], joined.degree[corner]
+                placed[place] = joined.points[corner]
+    return _Meetings(places, tuple(kinds), degree, placed)
 
 
 def _drawing(strokes: Strokes) -> Strokes:
@@ -130,11 +154,9 @@ def _with_crossings(strokes: Strokes, pen: float) -> _Meetings:
     # three strokes through one point are no accident: vertices may coincide there
     cross: list[Kind] = ["multi" if t > 2 else "X" for t in through]
     loose: list[Kind] = ["end" for _ in ends]
-    return _Meetings(
-        np.concatenate([joined.points[vertices], crossed, joined.points[ends]]),
-        (*(kinds[k] for k in vertices), *cross, *loose),
-        np.concatenate([degree[vertices], 2 * through, degree[ends]]).astype(np.intp),
-    )
+    points = np.concatenate([joined.points[vertices], crossed, joined.points[ends]])
+    degrees = np.concatenate([degree[vertices], 2 * through, degree[ends]]).astype(np.intp)
+    return _Meetings(points, (*(kinds[k] for k in vertices), *cross, *loose), degrees, points)
 
 
 def _single(points: Floats, degree: Ints, near: float) -> list[int]:

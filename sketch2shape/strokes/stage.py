@@ -7,7 +7,6 @@ from typing import Any
 
 from sketch2shape.ink import find_ink
 from sketch2shape.model import Ink, to_picture
-from sketch2shape.reading.read import read_picture
 from sketch2shape.strokes.skeleton import thin
 from sketch2shape.strokes.tracing import Strokes, trace_skeleton
 
@@ -47,4 +46,4 @@ def working_tolerance(ink: Ink, tolerance: float | None) -> float:
 
 def ink_of(source: Any) -> Ink:
     """The ink of whatever a stage was given: itself, or that of the picture."""
-    return source if isinstance(source, Ink) else find_ink(read_picture(source, reduced=True))
+    return source if isinstance(source, Ink) else find_ink(source)

@@ -15,7 +15,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.geometry import fit_lines, moments
-from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.model import Bools, Brief, Floats, Ints
 from sketch2shape.strokes.skeleton import Skeleton
 
 RULED = 1.0
@@ -28,8 +28,8 @@ MOST_PIECES = 700
 """Pieces of lines that are looked at, the longest: a drawing has far fewer, a scribble or a texture any number."""
 
 
-@dataclass(frozen=True)
-class Strokes:
+@dataclass(frozen=True, eq=False, repr=False)
+class Strokes(Brief):
     """Straight strokes, longest first.
 
     ends      : (k, 2, 2) float, both end points of each, pixels

@@ -8,8 +8,8 @@ import stand_in
 
 import sketch2shape as s2s
 from sketch2shape.batch import many
-from sketch2shape.conversion.report import report
 from sketch2shape.errors import LimitError, NoObjectError, UnreadableError
+from sketch2shape.pipeline.report import report
 
 
 @pytest.fixture(autouse=True)

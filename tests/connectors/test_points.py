@@ -22,6 +22,11 @@ BAD = {
 }
 
 
+def test_points_in_opencvs_shape():
+    square = np.array([[0, 0], [2, 2], [2, 0], [0, 2]], np.int32)
+    assert connect(square[:, None]).tolist() == connect(square).tolist()
+
+
 @pytest.mark.parametrize("method", methods())
 @pytest.mark.parametrize("case", BAD)
 def test_bad_points_get_a_typed_error_that_says_expected_and_actual(method, case):

@@ -151,8 +151,24 @@ def test_an_unknown_connector_is_refused_before_anything_is_read():
         s2s.reconstruct("/no/such/picture.png", connector="spilt-walk")
 
 
+def test_an_option_in_the_wrong_place_is_told_where_it_belongs():
+    for name, place in (("width", "lift=sketch2shape.LiftOptions(width=...)"), ("conector", "connector=...")):
+        with pytest.raises(TypeError, match=name) as caught:
+            s2s.reconstruct("/no/such/picture.png", **{name: "40mm"})
+        assert isinstance(caught.value, s2s.UsageError)
+        assert caught.value.advice == place
+    with pytest.raises(s2s.UsageError, match="lift is str"):
+        s2s.reconstruct("/no/such/picture.png", lift="40mm")
+
+
+def test_lift_options_may_be_a_dictionary():
+    result = s2s.reconstruct(prism(SQUARE, SQUARE + DEPTH), lift={"width": "40mm"})
+    assert result.solids[0].dimensions[0] == pytest.approx(40)
+    assert result.solids[0].unit == "mm"
+
+
 def test_an_unknown_detector_is_refused_before_anything_is_read():
-    with pytest.raises(s2s.UsageError, match="shi-tomasi"):
+    with pytest.raises(s2s.UsageError, match="fast"):
         s2s.reconstruct("/no/such/picture.png", detector="fast")
 
 

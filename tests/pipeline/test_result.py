@@ -1,3 +1,5 @@
+import json
+
 import numpy as np
 import pytest
 import trimesh
@@ -36,3 +38,16 @@ def test_export_that_fails_leaves_nothing(result, tmp_path):
     with pytest.raises(UsageError):
         result.export(tmp_path / "box.xyz")
     assert [p.name for p in tmp_path.iterdir()] == ["dir.obj"]
+
+
+def test_the_report_and_pictures_are_formats_too(result, tmp_path):
+    assert json.loads(result.export(tmp_path / "a.json").read_text())["schema"] == "sketch2shape/1"
+    for name in ("a.overlay.png", "a.stages.png", "a.preview.png"):
+        assert result.export(tmp_path / name).read_bytes().startswith(b"\x89PNG")
+    assert result.export(tmp_path / "b.png", "overlay").read_bytes() == (tmp_path / "a.overlay.png").read_bytes()
+    assert "<html" in result.export(tmp_path / "a.html").read_text()
+
+
+def test_each_solid_can_be_written_alone(result, tmp_path):
+    volumes = [trimesh.load(solid.export(tmp_path / f"{k}.off")).volume for k, solid in enumerate(result.solids)]
+    assert sum(volumes) == pytest.approx(result.mesh.volume)

@@ -116,7 +116,8 @@ def test_float_tiff_is_stretched_and_nan_refused():
 @pytest.mark.parametrize(
     "array",
     [
-        np.zeros((4, 5), np.float32),
+        np.full((4, 5), -0.5),
+        np.full((4, 5), 256.0),
         np.full((4, 5), np.nan),
         np.zeros((4, 5), complex),
         np.zeros((4, 5), object),
@@ -144,6 +145,16 @@ def test_shapes_and_types_of_arrays():
     ):
         assert (from_array(array, Limits()) == want).all()
     assert from_array(grey > 100, Limits())[0, 1].tolist() == [255, 255, 255]
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32, np.float64])
+def test_floats_are_pictures_in_0_to_1_or_0_to_255(kind):
+    grey = np.array([[0, 255], [102, 51]], np.uint8)
+    assert (from_array((grey / 255.0).astype(kind), Limits())[:, :, 0] == grey).all()
+    assert (from_array(grey.astype(kind), Limits())[:, :, 0] == grey).all()
+    rgba = np.dstack([grey / 255.0] * 3 + [np.ones((2, 2))])
+    assert (from_array(rgba, Limits())[:, :, 1] == grey).all()
+    assert (from_array(np.zeros((2, 2), kind), Limits()) == 0).all()
 
 
 def test_the_caller_keeps_an_array_of_his_own():

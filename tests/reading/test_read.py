@@ -5,7 +5,9 @@ from __future__ import annotations
 import io
 import os
 import struct
+import warnings
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -223,9 +225,34 @@ def test_an_animation_gives_its_first_frame():
 def test_text_streams_and_odd_objects_are_refused():
     with pytest.raises(UnreadableError, match="text"):
         read_picture(io.StringIO("hello"))
+    closed = io.BytesIO(b"x")
+    closed.close()
+    with pytest.raises(UnreadableError, match="closed"):
+        read_picture(closed)
+    with pytest.raises(UnreadableError, match="empty"):
+        read_picture(io.BytesIO())
     for thing in (None, 3, ["a.png"]):
         with pytest.raises(UnreadableError, match="no picture"):
             read_picture(thing)
+
+
+def test_open_files_in_text_mode_and_at_their_end(tmp_path):
+    image = Image.new("L", (7, 5), 99)
+    image.save(tmp_path / "a.png")
+    with open(tmp_path / "a.png") as text:
+        assert read_picture(text).size == (7, 5)
+    buffer = io.BytesIO()
+    image.save(buffer, "PNG")  # which leaves it at its end
+    assert read_picture(buffer).size == (7, 5)
+
+
+def test_reading_leaves_the_filters_of_warnings_alone(tmp_path):
+    before = list(warnings.filters)
+    Image.new("L", (7, 5), 99).save(tmp_path / "a.png")
+    sources = [str(tmp_path / "a.png")] * 200
+    with ThreadPoolExecutor(8) as pool:
+        seen = list(pool.map(lambda path: (read_picture(path).size, list(warnings.filters) == before), sources))
+    assert seen == [((7, 5), True)] * 200
 
 
 def test_parse_page():

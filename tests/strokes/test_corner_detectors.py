@@ -7,7 +7,7 @@ from sketches import DEPTH, L_SHAPE, ink_of, outline, paper, prism
 
 from sketch2shape.errors import UsageError
 from sketch2shape.evidence.detectors_agree import vouched
-from sketch2shape.strokes.corner_detectors import check_detector, near, propose
+from sketch2shape.strokes.corner_detectors import detector_named, near, propose
 
 VERTICES = np.r_[L_SHAPE, L_SHAPE + DEPTH]
 
@@ -51,6 +51,10 @@ def test_blank_paper_proposes_nothing_and_nothing_is_near_it():
 
 
 def test_detectors_have_names():
-    check_detector("harris")
-    with pytest.raises(UsageError, match="harris"):
-        check_detector("canny")
+    assert detector_named("harris") == "harris"
+    assert detector_named("auto") == detector_named("both") == "both"
+    for name in ("shi-tomasi", "Shi_Tomasi", "goodFeaturesToTrack", "good_features_to_track"):
+        assert detector_named(name) == "shi-tomasi"
+    with pytest.raises(UsageError, match="canny") as caught:
+        detector_named("canny")
+    assert "harris" in caught.value.advice

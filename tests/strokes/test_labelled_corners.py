@@ -3,10 +3,12 @@
 import cv2
 import numpy as np
 import pytest
-from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, line, paper, prism
+from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, line, paper, prism, same_object
 
 import sketch2shape as s2s
 from sketch2shape.errors import UnreadableError, UsageError
+from sketch2shape.model import to_picture
+from sketch2shape.strokes import propose
 
 
 def kinds_at(found, points, within=1.0):
@@ -15,14 +17,39 @@ def kinds_at(found, points, within=1.0):
     return [found.kinds[k] if gap[k, i] <= within else None for i, k in enumerate(gap.argmin(axis=0))]
 
 
-@pytest.mark.parametrize("detector", ["both", "shi-tomasi", "harris"])
-def test_a_wireframe_box_has_eight_vertices_and_two_crossings(detector):
+@pytest.mark.parametrize(
+    ("detector", "within"),
+    [("both", 1.0), ("auto", 1.0), ("goodFeaturesToTrack", 6.0), ("shi-tomasi", 6.0), ("harris", 6.0)],
+)
+def test_a_wireframe_box_has_eight_vertices_and_two_crossings(detector, within):
     found = s2s.detect_corners(prism(SQUARE, SQUARE + DEPTH), detector)
     truth = np.r_[SQUARE, SQUARE + DEPTH]
     assert len(found.vertices) == 8
-    assert None not in kinds_at(found, truth)
+    assert None not in kinds_at(found, truth, within)
     assert list(found.kinds).count("X") == 2
-    assert kinds_at(found, [[210, 140], [270, 230]]) == ["X", "X"]
+    labelled = [k for k, kind in enumerate(found.kinds) if kind == "X"]
+    gap = np.linalg.norm(found.points[labelled][:, None] - np.array([[210, 140], [270, 230]]), axis=2)
+    assert gap.min(axis=0).max() <= within
+
+
+def test_each_detector_gives_its_own_corners():
+    picture = prism(L_SHAPE, L_SHAPE + DEPTH)
+    ink = s2s.find_ink(picture)
+    given = {name: s2s.detect_corners(picture, name).points for name in ("both", "shi-tomasi", "harris")}
+    for name in ("shi-tomasi", "harris"):
+        assert np.array_equal(given[name], to_picture(propose(ink, name), ink.scale))
+    sets = {frozenset(map(tuple, points.tolist())) for points in given.values()}
+    assert len(sets) == 3
+    assert np.array_equal(given["shi-tomasi"], s2s.detect_corners(picture, "goodFeaturesToTrack").points)
+
+
+@pytest.mark.parametrize("detector", ["both", "shi-tomasi", "harris"])
+def test_corners_chain_into_the_separator(detector):
+    picture = prism(L_SHAPE, L_SHAPE + DEPTH)
+    found = s2s.separate_faces(picture, corners=s2s.detect_corners(picture, detector))
+    assert same_object(found[0], L_SHAPE, L_SHAPE + DEPTH)
+    exact = s2s.detect_corners(picture, detector).vertices
+    assert s2s.separate_faces(picture, corners=exact[:, None])[0].f1.tolist() == found[0].f1.tolist()
 
 
 def test_a_box_without_hidden_edges_has_one_fork_and_arrows_and_elbows():
@@ -89,6 +116,7 @@ def test_only_what_the_chosen_detector_sees_counts():
     found = s2s.detect_corners(picture, "harris")
     assert found.harris.all()
     assert s2s.detect_corners(picture, "shi-tomasi").shi_tomasi.all()
+    assert not found.is_vertex.any()
 
 
 def test_blank_paper_has_no_corners():
@@ -98,7 +126,7 @@ def test_blank_paper_has_no_corners():
 
 
 def test_bad_requests_are_told_apart():
-    with pytest.raises(UsageError, match="shi-tomasi"):
+    with pytest.raises(UsageError, match="fast"):
         s2s.detect_corners(paper(), "fast")
     with pytest.raises(UnreadableError):
         s2s.detect_corners(b"no picture")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from argparse import Namespace
 from collections.abc import Callable
 from difflib import get_close_matches
 from types import ModuleType
@@ -10,6 +9,7 @@ from typing import Any
 
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Answer
+from sketch2shape.pipeline.report import encode_report, report
 
 #: products that are no mesh -> ending of their files
 SUFFIXES: dict[str, str] = {
@@ -23,8 +23,9 @@ SUFFIXES: dict[str, str] = {
 #: products that are pictures of one result, each with an option of its name
 PICTURES = ("overlay", "stages", "preview", "html")
 
-#: products that are no mesh and need a result -> function of the result that gives the bytes
+#: products that are no mesh -> function of the result that gives the bytes
 ENCODERS: dict[str, Callable[[Answer], bytes]] = {
+    "json": lambda result: encode_report(report(result)),
     "overlay": lambda result: _pictures().encode_png(_pictures().overlay(result)),
     "stages": lambda result: _pictures().encode_png(_pictures().stages(result)),
     "preview": lambda result: _pictures().encode_png(_pictures().preview_of(result)),
@@ -79,33 +80,9 @@ def product_of(name: str) -> str:
 
 
 def encode_product(product: str, result: Answer, options: dict[str, Any]) -> bytes:
-    """The bytes of a mesh or a picture. `options` go to the mesh encoder."""
+    """The bytes of a mesh, the report or a picture. `options` go to the mesh encoder."""
     if product in ENCODERS:
         return ENCODERS[product](result)
     from sketch2shape.export import encode
 
     return encode(result, product, **options)
-
-
-def wants_pages(arguments: Namespace) -> bool:
-    """Whether pictures of the whole batch are asked for, so that each input needs its overlay."""
-    return bool(arguments.index or arguments.contact_sheet)
-
-
-def formats_of(arguments: Namespace) -> list[str]:
-    """What --format asks for, by default a mesh. Raises UsageError for an unknown format."""
-    names = [part.strip().lower() for value in arguments.format for part in value.split(",")]
-    formats = list(dict.fromkeys(names or ["obj"]))
-    for name in formats:
-        suffix(name)
-    return formats
-
-
-def products_of(arguments: Namespace) -> list[str]:
-    """The products asked for by name, without doubles: --format, and --json. Raises UsageError for an unknown one."""
-    products = formats_of(arguments)
-    if wants_pages(arguments) and "overlay" not in products:
-        products.append("overlay")
-    if arguments.json and "json" not in products:
-        products.append("json")
-    return products

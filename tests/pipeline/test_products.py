@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from sketch2shape.conversion.products import SUFFIXES, infixed, product_of, suffix
 from sketch2shape.errors import UsageError
 from sketch2shape.export import FORMATS
+from sketch2shape.pipeline.products import SUFFIXES, infixed, product_of, suffix
 
 
 @pytest.mark.parametrize("product", [*FORMATS, *SUFFIXES])

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from sketch2shape import __version__
-from sketch2shape.conversion.report import encode_report, plain, report
 from sketch2shape.errors import NoObjectError
 from sketch2shape.lifting import lift
 from sketch2shape.model import Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
+from sketch2shape.pipeline.report import encode_report, plain, report
 from sketch2shape.pipeline.result import Result
 
 SQUARE = np.array([[0.0, 0], [9, 0], [9, 9], [0, 9]])

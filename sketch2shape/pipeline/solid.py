@@ -1,0 +1,79 @@
+"""The solid, with what can be done with it.
+
+The model holds plain data and knows nothing of files; what comes out of the pipeline can be exported. Both are a
+`Solid`: this one is the other with methods, so whatever takes plain data takes it too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sketch2shape import model
+from sketch2shape.errors import UsageError
+from sketch2shape.lifting import LiftOptions
+from sketch2shape.lifting import lift as lift_object
+from sketch2shape.model import TwoFaceObject
+from sketch2shape.pipeline.options import lift_options_of
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimesh import Trimesh
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Solid(model.Solid):
+    """A `sketch2shape.model.Solid` that can be meshed and written."""
+
+    @classmethod
+    def of(cls, plain: model.Solid) -> Solid:
+        """The same solid with these methods."""
+        if isinstance(plain, cls):
+            return plain
+        return cls(**{field.name: getattr(plain, field.name) for field in fields(plain) if field.init})
+
+    @property
+    def mesh(self) -> Trimesh:
+        """A watertight `trimesh.Trimesh` with the solid's vertices, in their order."""
+        from sketch2shape.export import to_trimesh
+
+        return to_trimesh(self)
+
+    def export(self, path: str | PathLike[str], format: str | None = None, *, ngons: bool = False) -> Path:
+        """Write the solid to a file, all or nothing, and return its path.
+
+        format : a mesh format of `sketch2shape.export.FORMATS`, "face.svg" or "face.dxf"; None takes it from the
+                 extension
+        ngons  : in OBJ, write whole polygons as faces instead of triangles
+
+        Raises UsageError for an unknown format, WriteError if the file cannot be written.
+        """
+        from sketch2shape.export import encode, format_of
+        from sketch2shape.writing import write_file
+
+        target = Path(path)
+        write_file(target, encode(self, format or format_of(target), ngons=ngons), overwrite=True)
+        return target
+
+
+def lift(
+    obj: TwoFaceObject,
+    *,
+    picture_size: tuple[int, int] | None = None,
+    options: LiftOptions | Mapping[str, Any] | None = None,
+) -> Solid:
+    """The solid that a two-face object is a drawing of; see `sketch2shape.lifting.lift`.
+
+    obj          : the object in the picture's plane, f1 the front face; its rings may be lists, or OpenCV's (n, 1, 2)
+    picture_size : width and height of the picture, pixels
+    options      : what the user fixes: `LiftOptions`, or its fields by name
+
+    What the drawing leaves free is set to a default that `Solid.warnings` states. Raises PointsError for rings that are
+    no points or do not match, UsageError for options that make no sense.
+    """
+    if not isinstance(obj, TwoFaceObject):
+        raise UsageError(f"lift takes a TwoFaceObject, not {type(obj).__name__}", remedy="TwoFaceObject(f1, f2)")
+    return Solid.of(lift_object(obj, picture_size=picture_size, options=lift_options_of(options)))
