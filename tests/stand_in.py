@@ -60,7 +60,9 @@ def act(name):
 def misbehave(name):
     if "crash" in name:
         os.kill(os.getpid(), signal.SIGSEGV)
-    if "hang" in name:
+    while "hang" in name:
+        pass
+    if "wait" in name:
         time.sleep(1000)
     if "hog" in name:
         hoard = [bytearray(2**26) for _ in range(2**14)]

@@ -3,27 +3,32 @@
 Strategy: a `pebble` pool, because a crash there loses only the item that caused it. A few items more than there are
 workers are handed out at a time, so that memory stays flat however many there are. Where the pool itself breaks (a
 worker killed from outside while idle), it is made anew and the items it lost are handed out again, a few times at most.
+Where no worker can be started at all, the work is done in this process, and the reason is told.
+
+Time is that of computing, so that a busy machine fails no item: the worker sets itself an alarm. One that waits and
+does not compute is ended by the clock, a few times later.
 """
 
 from __future__ import annotations
 
 import contextlib
-import multiprocessing
+import logging
 import os
 import signal
-import sys
 import time
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from dataclasses import dataclass
 from functools import partial
-from types import ModuleType
 from typing import Any, Generic, TypeVar
 
-from sketch2shape.batch.worker import PRELOAD, prepare
+from sketch2shape.batch.worker import HAS_TIMER, PRELOAD, limited_time, prepare
 from sketch2shape.conversion.convert import Outcome, Task, report_failure
 from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError
+from sketch2shape.processes.contexts import NoWorkersError, working_context
+
+_LOG = logging.getLogger("sketch2shape")
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -34,6 +39,8 @@ _AHEAD = 4
 _TRIES = 3
 #: a pool is broken if for this long it has items and works on none, seconds; starting workers takes a few
 _PATIENCE = 20.0
+#: times the limit on computing that an item may take by the clock: it may wait for the disk, or for other programs
+_WAITING = 5.0
 #: how often the loop looks up from waiting, seconds
 _POLL = 1.0
 
@@ -45,9 +52,10 @@ def run_tasks(
     jobs: int | None = None,
     timeout: float | None = None,
     max_memory: int | None = None,
+    notice: Callable[[str], None] | None = None,
 ) -> Generator[tuple[Task, Outcome], None, None]:
     """Do tasks in worker processes, in the order in which they finish; a crash or hang fails only its own."""
-    for task, value in run_each(tasks, work, jobs=jobs, timeout=timeout, max_memory=max_memory):
+    for task, value in run_each(tasks, work, jobs=jobs, timeout=timeout, max_memory=max_memory, notice=notice):
         yield task, report_failure(task, value) if isinstance(value, Sketch2ShapeError) else value
 
 
@@ -58,20 +66,25 @@ def run_each(
     jobs: int | None = None,
     timeout: float | None = None,
     max_memory: int | None = None,
+    notice: Callable[[str], None] | None = None,
 ) -> Generator[tuple[T, R | Sketch2ShapeError], None, None]:
     """Apply `work` to each item in worker processes; yield (item, value or error) as they finish.
 
     jobs       : number of workers; None: one for each core
-    timeout    : seconds for one item; then its worker is ended and the item gives LimitError
+    timeout    : seconds of computing for one item, or five times as many by the clock; then its worker is ended and the
+                 item gives LimitError
     max_memory : bytes that one item may take on top of the program itself; then it gives LimitError
+
+    notice     : told why the work is done in this process, without limits, where no worker can be started; None: a
+                 warning is logged
 
     A worker that dies gives CrashError for its item. At most a few items for each worker are held at a time.
     """
-    crew = _Crew(partial(_call, work), jobs or default_jobs(), timeout, max_memory)
+    crew = _Crew(work, jobs or default_jobs(), timeout, max_memory, notice or _LOG.warning)
     queue, source = deque[_Item[T]](), iter(items)
     try:
         while True:
-            while len(crew.pending) < crew.jobs * _AHEAD:
+            while len(crew.pending) < crew.capacity:
                 item = queue.popleft() if queue else next((_Item(i) for i in source), None)
                 if item is None:
                     break
@@ -102,10 +115,11 @@ class _Item(Generic[T]):
     tries: int = 0
 
 
-def _call(work: Callable[[T], R], item: T) -> R | Sketch2ShapeError:
+def _call(work: Callable[[T], R], timeout: float | None, item: T) -> R | Sketch2ShapeError:
     """Run in the worker: an error of ours travels as a value, lack of memory is a limit."""
     try:
-        return work(item)
+        with limited_time(timeout):
+            return work(item)
     except Sketch2ShapeError as error:
         return error
     except MemoryError:
@@ -113,31 +127,65 @@ def _call(work: Callable[[T], R], item: T) -> R | Sketch2ShapeError:
 
 
 class _Crew:
-    """A pool that is made anew when it breaks."""
+    """A pool that is made anew when it breaks; where there can be none, this process in its place."""
 
-    def __init__(self, call: Callable[[Any], Any], jobs: int, timeout: float | None, max_memory: int | None) -> None:
-        self.jobs = jobs
+    def __init__(
+        self,
+        work: Callable[[Any], Any],
+        jobs: int,
+        timeout: float | None,
+        max_memory: int | None,
+        notice: Callable[[str], None],
+    ) -> None:
         self.pending: dict[Future[Any], _Item[Any]] = {}
-        self._call, self._timeout, self._max_memory = call, timeout, max_memory
+        self._jobs, self._work, self._timeout, self._max_memory, self._notice = jobs, work, timeout, max_memory, notice
         self._pool: Any = None
+        self._alone = self._proven = False
         self._quiet_since = time.monotonic()
 
+    @property
+    def capacity(self) -> int:
+        """Items that may be handed out at a time."""
+        return 1 if self._alone else self._jobs * _AHEAD
+
     def hand_out(self, item: _Item[Any]) -> None:
-        """Give an item to the pool."""
+        """Give an item to the pool; where there can be none, do it here and now."""
         item.tries += 1
         if not self.pending:
             self._quiet_since = time.monotonic()
+        future = None if self._alone else self._scheduled(item)
+        self.pending[self._done_here(item) if future is None else future] = item
+
+    def _scheduled(self, item: _Item[Any]) -> Future[Any] | None:
+        """The item's future, None if there is no pool to be had."""
+        call = partial(_call, self._work, self._timeout)
+        clock = None if self._timeout is None else self._timeout * (_WAITING if HAS_TIMER else 1.0)
+        reason = "the pool of workers broke"
         for _ in range(2):
             try:
-                future = self._running_pool().schedule(self._call, args=(item.value,), timeout=self._timeout)
+                future: Future[Any] = self._running_pool().schedule(call, args=(item.value,), timeout=clock)
             except RuntimeError:  # the pool broke since
                 self._drop_pool()
                 continue
-            self.pending[future] = item
-            return
-        lost: Future[Any] = Future()
-        lost.set_exception(BrokenExecutor("no worker can be started"))
-        self.pending[lost] = item
+            except (NoWorkersError, OSError, ValueError) as error:
+                reason = getattr(error, "strerror", None) or str(error)
+                break
+            return future
+        self._go_alone(reason)
+        return None
+
+    def _go_alone(self, reason: str) -> None:
+        self._alone = True
+        self._drop_pool()
+        self._notice(f"no worker process can be started ({reason}): working in this one, without limits")
+
+    def _done_here(self, item: _Item[Any]) -> Future[Any]:
+        future: Future[Any] = Future()
+        try:
+            future.set_result(_call(self._work, None, item.value))
+        except Exception as error:
+            future.set_exception(error)
+        return future
 
     def finished(self) -> list[tuple[_Item[Any], Any]]:
         """Wait until some items are done, or the pool must be given up; their values or exceptions."""
@@ -146,22 +194,24 @@ class _Crew:
             self._quiet_since = time.monotonic()
         elif time.monotonic() - self._quiet_since > _PATIENCE:
             return self._abandon()
+        self._proven = self._proven or bool(done)
         return [(self.pending.pop(future), _value(future)) for future in done]
 
     def _abandon(self) -> list[tuple[_Item[Any], Any]]:
         lost = [(item, BrokenExecutor("a worker was lost")) for item in self.pending.values()]
         self.pending.clear()
-        self._drop_pool()
+        if self._proven:
+            self._drop_pool()
+        else:
+            self._go_alone("none has answered")
         return lost
 
     def _running_pool(self) -> Any:
         if self._pool is None:
             from pebble import ProcessPool
 
-            multiprocessing.set_forkserver_preload(list(PRELOAD))
-            self._pool = ProcessPool(self.jobs, initializer=prepare, initargs=(self._max_memory,), context=_Context())
-            with _one_thread_each():
-                self._pool.schedule(int)  # the first task starts the workers
+            context = working_context(PRELOAD, self._jobs)
+            self._pool = ProcessPool(self._jobs, initializer=prepare, initargs=(self._max_memory,), context=context)
         return self._pool
 
     def _drop_pool(self) -> None:
@@ -185,60 +235,10 @@ def _known(value: Any, timeout: float | None) -> Any:
     """A value as it is, an exception as an error of ours."""
     if not isinstance(value, BaseException) or isinstance(value, Sketch2ShapeError):
         return value
-    if isinstance(value, TimeoutError):
-        return LimitError(f"not done after {timeout:g} s", remedy="a simpler picture, or raise --timeout")
     code = getattr(value, "exitcode", None)
+    if isinstance(value, TimeoutError) or (HAS_TIMER and code == -signal.SIGPROF):
+        how = "" if isinstance(value, TimeoutError) else " of computing"
+        return LimitError(f"not done after {timeout:g} s{how}", remedy="a simpler picture, or raise --timeout")
     if isinstance(code, int) and code < 0:
         return CrashError(f"the worker died ({signal.Signals(-code).name})")
     return CrashError(f"the worker died ({type(value).__name__}: {str(value)[:200]})")
-
-
-#: workers come from a fork server, which has no threads that could hold a lock, or are spawned where there is none
-_BASE: Any = multiprocessing.get_context(
-    "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
-)
-
-
-class _Process(_BASE.Process):  # type: ignore[misc]
-    """A worker that does not run the user's main script again.
-
-    Both ways of starting it would import that script, and a script without a `__name__` guard would then start workers
-    of workers.
-    """
-
-    @staticmethod
-    def _Popen(process: Any) -> Any:  # noqa: N802  (the name multiprocessing gives it)
-        with _without_main():
-            return _BASE.Process._Popen(process)
-
-
-class _Context(type(_BASE)):  # type: ignore[misc]
-    """The context that starts such workers."""
-
-    Process = _Process
-
-
-@contextlib.contextmanager
-def _without_main() -> Iterator[None]:
-    main = sys.modules["__main__"]
-    sys.modules["__main__"] = ModuleType("__main__")
-    try:
-        yield
-    finally:
-        sys.modules["__main__"] = main
-
-
-@contextlib.contextmanager
-def _one_thread_each() -> Iterator[None]:
-    """Let processes started meanwhile use one thread for linear algebra: the workers themselves fill the cores."""
-    names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-    before = {name: os.environ.get(name) for name in names}
-    os.environ.update(dict.fromkeys(names, "1"))
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value

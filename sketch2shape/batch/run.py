@@ -146,7 +146,7 @@ class _Batch:
             progress.say(f"{self.plan.renamed} inputs share their stem; their outputs carry the full name")
 
     def _work_off(self, manifest: Manifest, progress: Progress) -> None:
-        with contextlib.closing(self._start()) as run:
+        with contextlib.closing(self._start(progress)) as run:
             for task, outcome in run:
                 self.outcomes[outcome.name] = outcome
                 manifest.add(outcome)
@@ -154,7 +154,7 @@ class _Batch:
                 if outcome.exit_code and self.arguments.fail_fast:
                     return
 
-    def _start(self) -> Generator[tuple[Task, Outcome], None, None]:
+    def _start(self, progress: Progress) -> Generator[tuple[Task, Outcome], None, None]:
         """Begin to work, on this machine or on a cluster; paths in the outcomes are those of the plan."""
         timeout = self.arguments.timeout or _TIMEOUT
         if self.arguments.scheduler:
@@ -162,7 +162,12 @@ class _Batch:
 
             return run_on_cluster(self._tasks(), self.work, scheduler=self.arguments.scheduler, timeout=timeout)
         memory = self.arguments.max_memory or _MEMORY
-        return run_tasks(self._tasks(), self.work, jobs=self.arguments.jobs, timeout=timeout, max_memory=memory)
+        jobs = self.arguments.jobs
+
+        def notice(text: str) -> None:
+            progress.say(f"sketch2shape: {text}")
+
+        return run_tasks(self._tasks(), self.work, jobs=jobs, timeout=timeout, max_memory=memory, notice=notice)
 
     def _tasks(self) -> Iterator[Task]:
         replace_files = self.arguments.overwrite or self.arguments.resume
@@ -194,12 +199,17 @@ class _Batch:
 
 @contextlib.contextmanager
 def _terminate_as_interrupt() -> Iterator[None]:
-    """Let SIGTERM stop the batch as cleanly as Ctrl-C does."""
+    """Let SIGTERM, and SIGHUP of a terminal that is closed, stop the batch as cleanly as Ctrl-C does."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    known = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {number: signal.getsignal(number) for number in known}
+    for number, handler in before.items():
+        if handler is not signal.SIG_IGN:  # nohup
+            signal.signal(number, signal.default_int_handler)
     try:
         yield
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)

@@ -9,6 +9,7 @@ import signal
 import sys
 import threading
 import warnings
+from collections.abc import Iterator
 
 #: modules that the fork server imports once for all workers: what one picture or another needs, also inside functions
 PRELOAD = (
@@ -39,6 +40,24 @@ def prepare(max_memory: int | None) -> None:
         cv2.setNumThreads(1)
     if max_memory is not None:
         limit_memory(max_memory)
+
+
+#: whether the system can end a process by the time it has computed
+HAS_TIMER = hasattr(signal, "setitimer")
+
+
+@contextlib.contextmanager
+def limited_time(seconds: float | None) -> Iterator[None]:
+    """Have the system end this process (SIGPROF) if it computes for longer, even where Python gets no turn."""
+    if seconds is None or not HAS_TIMER:
+        yield
+        return
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
 
 
 def die_with_parent() -> None:

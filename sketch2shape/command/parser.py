@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import sys
 import warnings
@@ -12,6 +11,7 @@ from typing import NoReturn
 
 from sketch2shape import __version__
 from sketch2shape.errors import Sketch2ShapeError, one_line
+from sketch2shape.processes.threads import compute_in_one_thread
 from sketch2shape.writing import occupy_descriptors, tell
 
 _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight solid.
@@ -228,12 +228,6 @@ def _bytes(text: str) -> int:
     return _scaled(text, 1024)
 
 
-def _compute_in_one_thread() -> None:
-    """Ask the linear algebra, before it is loaded, not to start threads: for small matrices they only cost time."""
-    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
-        os.environ.setdefault(name, "1")
-
-
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
     occupy_descriptors()
@@ -246,7 +240,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             from sketch2shape.ui.serve import main as serve
 
             return serve(words[1:])
-        _compute_in_one_thread()
+        compute_in_one_thread()
         from sketch2shape.command.run import run
 
         return run(arguments)

@@ -164,5 +164,6 @@ def _stdin_of(arguments: Namespace) -> bytes | None:
 def _limited(task: Task, arguments: Namespace, work: Work) -> Outcome:
     from sketch2shape.batch.pool import run_tasks
 
-    results = run_tasks([task], work, jobs=1, timeout=arguments.timeout, max_memory=arguments.max_memory)
+    limits = {"timeout": arguments.timeout, "max_memory": arguments.max_memory}
+    results = run_tasks([task], work, jobs=1, **limits, notice=lambda text: tell(f"sketch2shape: {text}"))
     return next(outcome for _, outcome in results)

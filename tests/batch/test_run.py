@@ -6,6 +6,7 @@ import csv
 import hashlib
 import json
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -212,6 +213,29 @@ def test_advice_is_given_once(here, capsys):
     assert sorted(line.rpartition("Try: ")[2][:8] for line in lines) == ["a drawin", "as above", "as above"]
 
 
+@pytest.mark.parametrize(
+    ("machine", "cause"),
+    [
+        ("export TMPDIR=$PWD/" + "x" * 100 + "; mkdir $TMPDIR", None),  # too long for the socket of a fork server
+        ("ulimit -n 16", "Too many open files"),
+        ("mkdir gone; cd gone; rmdir ../gone", "No such file or directory"),
+    ],
+)
+def test_machines_on_which_workers_cannot_be_started_as_usual(machine, cause, drawings, tmp_path):
+    pictures = " ".join(shlex.quote(str(drawings / kind / "000.png")) for kind in _KINDS[:2])
+    command = f"{machine} && {shlex.quote(sys.executable)} -m sketch2shape {pictures} -o {tmp_path}/out --jobs 1"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert len(list((tmp_path / "out").rglob("*.obj"))) == 2
+    assert "Traceback" not in done.stderr
+    told = [line for line in done.stderr.splitlines() if "no worker process can be started" in line]
+    assert len(told) == (cause is not None)
+    assert not cause or cause in told[0]
+
+
 _RUN = """
 import signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever runs the tests in the background has it ignored
@@ -223,7 +247,7 @@ sys.exit(run(parse(sys.argv[1:]), stand_in.work))
 """
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
 def test_a_stopped_batch_goes_on_to_the_same_bytes(here, number):
     picture("in/gate.png")
     (here / "open").touch()

@@ -31,7 +31,7 @@ from sketch2shape.batch.worker import PRELOAD
 for name in PRELOAD:
     importlib.import_module(name)
 before = set(sys.modules)
-from sketch2shape.convert import Output, Task, convert
+from sketch2shape.conversion.convert import Output, Task, convert
 assert convert(Task({source!r}, "a", (Output("obj", {out!r}), Output("json", {out!r} + ".json")))).exit_code == 0
 print(*{{name.partition(".")[0] for name in set(sys.modules) - before}} - {{"PIL"}})
 """
@@ -40,4 +40,4 @@ print(*{{name.partition(".")[0] for name in set(sys.modules) - before}} - {{"PIL
 def test_the_first_picture_of_a_worker_waits_for_no_import(drawings, tmp_path):
     code = _CONVERT.format(source=str(drawings / "clean_wire_oblique" / "000.png"), out=str(tmp_path / "a.obj"))
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert done.stdout.strip() == "", done.stderr
+    assert (done.returncode, done.stdout.strip()) == (0, ""), done.stderr
