@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from sketch2shape.batch.plan import Planned
 from sketch2shape.conversion.convert import Outcome
 from sketch2shape.errors import NoObjectError, Sketch2ShapeError, UsageError
-from sketch2shape.writing import exists_error, write_file
+from sketch2shape.writing import write_file
 
 if TYPE_CHECKING:
     from sketch2shape.pictures import Entry
@@ -21,29 +21,41 @@ Rows = Iterable[tuple[Planned, Outcome]]
 
 
 def check_pages(arguments: Namespace) -> None:
-    """Raise UsageError if the pages cannot be written under the names given, WriteError if they are there already."""
+    """Raise UsageError if the pages cannot be written under the names given."""
     for path, ending in ((arguments.index, ".html"), (arguments.contact_sheet, ".png")):
-        if not path:
-            continue
-        if not path.lower().endswith(ending):
+        if path and not path.lower().endswith(ending):
             raise UsageError(f"{path} does not end in {ending}", remedy=f"FILE{ending}")
-        if os.path.lexists(path) and not (arguments.overwrite or arguments.resume):
-            raise exists_error(PurePath(path))
+
+
+def page_files(arguments: Namespace, count: int) -> list[str]:
+    """The files that the pages of `count` inputs are written to."""
+    return [*filter(None, [arguments.index]), *_sheet_files(arguments.contact_sheet, count)]
+
+
+def _sheet_files(path: str | None, count: int) -> list[str]:
+    """NAME.png for the first sheet, NAME.p2.png and so on for the others, as for the pages of a document."""
+    if not path:
+        return []
+    from sketch2shape.pictures import count_sheets
+
+    stem, ending = os.path.splitext(path)
+    return [path] + [f"{stem}.p{k}{ending}" for k in range(2, count_sheets(count) + 1)]
 
 
 def write_pages(arguments: Namespace, rows: Rows) -> None:
     """Write the index and the contact sheet that are asked for. Raises WriteError."""
-    from sketch2shape.pictures import contact_sheet, encode_png, folder_index
+    from sketch2shape.pictures import contact_sheets, encode_png, folder_index
 
     outcomes = list(rows)
     again = arguments.overwrite or arguments.resume
     if arguments.index:
         entries = _entries(outcomes, os.path.dirname(os.path.abspath(arguments.index)))
         title = ", ".join(PurePath(os.path.abspath(i)).name for i in arguments.inputs[:3])
-        write_file(arguments.index, folder_index(entries, title).encode("utf-8", "replace"), overwrite=again)
+        write_file(arguments.index, folder_index(entries, title).encode("utf-8"), overwrite=again)
     if arguments.contact_sheet:
-        sheet = contact_sheet(_entries(outcomes, "."))
-        write_file(arguments.contact_sheet, encode_png(sheet), overwrite=again)
+        files = _sheet_files(arguments.contact_sheet, len(outcomes))
+        for file, sheet in zip(files, contact_sheets(_entries(outcomes, ".")), strict=True):
+            write_file(file, encode_png(sheet), overwrite=again)
 
 
 def _entries(rows: Sequence[tuple[Planned, Outcome]], base: str) -> Iterable[Entry]:

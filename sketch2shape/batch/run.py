@@ -12,7 +12,7 @@ from argparse import Namespace
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
 
-from sketch2shape.batch.extras import check_extras, keep_given, write_extras
+from sketch2shape.batch.extras import check_extras, keep_files, write_extras
 from sketch2shape.batch.manifest import Manifest, Past, load_past, options_hash
 from sketch2shape.batch.plan import Plan, common_folder, make_plan, settle
 from sketch2shape.batch.pool import run_tasks
@@ -42,7 +42,7 @@ def run_batch(arguments: Namespace, settings: Settings, work: Work) -> int:
     options = options_hash(settings, products)
     past = load_past(out or common_folder(arguments.inputs))
     plan = _plan(arguments, out, products, past, options)
-    keep_given(arguments, plan.items)
+    keep_files(arguments, plan.items)
     if settings.corrections:
         note = check_pictures(settings.corrections, arguments.vertices, [item.name for item in plan.items])
         if note and not arguments.quiet:

@@ -132,10 +132,10 @@ class _Extras:
         self._wanted = bool(arguments.report or wants_pages(arguments))
         self._outputs = tuple(outputs)
         if self._wanted:
-            from sketch2shape.batch.extras import check_extras, keep_given
+            from sketch2shape.batch.extras import check_extras, keep_files
 
             check_extras(arguments)
-            keep_given(arguments, [self._planned()])
+            keep_files(arguments, [self._planned()])
 
     def write(self, outcome: Outcome) -> None:
         """Write them. Raises WriteError."""

@@ -4,7 +4,7 @@ All functions return pixels or text and write nothing; equal input gives equal b
 """
 
 from sketch2shape.pictures.canvas import encode_png
-from sketch2shape.pictures.folder import Entry, contact_sheet, folder_index
+from sketch2shape.pictures.folder import Entry, contact_sheet, contact_sheets, count_sheets, folder_index
 from sketch2shape.pictures.overlay import overlay
 from sketch2shape.pictures.preview import preview, preview_of
 from sketch2shape.pictures.stages import Stage, stage_panels, stages
@@ -14,6 +14,8 @@ __all__ = [
     "Entry",
     "Stage",
     "contact_sheet",
+    "contact_sheets",
+    "count_sheets",
     "encode_png",
     "folder_index",
     "overlay",

@@ -129,7 +129,7 @@ class Canvas:
         bold: bool = False,
     ) -> None:
         """Set a line of text at final pixels `at`; `anchor` as in Pillow ("la" left-ascender, "mm" middle)."""
-        self._words.append(Words(at, text, size, colour, anchor, bold))
+        self._words.append(Words(at, shown(text), size, colour, anchor, bold))
 
     def finish(self) -> Pixels:
         """The picture, (height, width, 3) uint8 RGB."""
@@ -178,8 +178,14 @@ def text_width(text: str, size: float) -> float:
     return float(font(size).getlength(text))
 
 
+def shown(name: str) -> str:
+    """A name as it can be shown: bytes of a file name that are no UTF-8 become U+FFFD."""
+    return name.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
 def shorten(text: str, size: float, width: float, keep: Literal["start", "end"] = "start") -> str:
     """The text, cut with an ellipsis where it is wider than `width` pixels."""
+    text = shown(text)
     if text_width(text, size) <= width:
         return text
     while text and text_width("..." + text, size) > width:

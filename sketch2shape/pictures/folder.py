@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from html import escape
 from itertools import islice
@@ -11,12 +12,13 @@ from urllib.parse import quote
 import numpy as np
 
 from sketch2shape.model import TRUSTED
-from sketch2shape.pictures.canvas import Canvas, Pixels, encode_jpeg, fit, shorten
+from sketch2shape.pictures.canvas import Canvas, Pixels, encode_jpeg, fit, shorten, shown
 from sketch2shape.pictures.palette import BACKDROP, DONE, DOUBT, FAILED, INK, MUTED, PAPER, RULE, Colour, css
 from sketch2shape.pictures.viewer import data_uri
 
 _WIDTH, _HEIGHT, _GAP, _CAPTION = 300, 220, 16, 46
-_MOST_CARDS = 500
+_CARDS = 60
+"""Cards on one contact sheet: 12 rows of 5, a picture that can be printed on one page and that viewers open."""
 
 
 @dataclass(frozen=True)
@@ -54,15 +56,33 @@ class Entry:
 
 
 def contact_sheet(entries: Iterable[Entry], columns: int = 5) -> Pixels:
-    """All thumbnails on one sheet with name and status, failed ones marked, at most 500; (h, w, 3) uint8 RGB."""
-    cards = list(islice(entries, _MOST_CARDS + 1))
-    more, cards = len(cards) > _MOST_CARDS, cards[:_MOST_CARDS]
+    """Thumbnails on one sheet with name and status, failed ones marked, however many; (h, w, 3) uint8 RGB.
+
+    For long folders see `contact_sheets`.
+    """
+    return _sheet(list(entries), columns)
+
+
+def contact_sheets(entries: Iterable[Entry], columns: int = 5, cards: int = _CARDS) -> Iterator[Pixels]:
+    """All thumbnails on as many sheets as it takes (`count_sheets`), `cards` on each; one sheet at a time in memory."""
+    rest = iter(entries)
+    page = list(islice(rest, cards))
+    yield _sheet(page, columns)
+    while page := list(islice(rest, cards)):
+        yield _sheet(page, columns)
+
+
+def count_sheets(count: int, cards: int = _CARDS) -> int:
+    """How many sheets `contact_sheets` makes of `count` entries."""
+    return max(1, -(-count // cards))
+
+
+def _sheet(cards: Sequence[Entry], columns: int) -> Pixels:
     columns = max(1, min(columns, len(cards)))
     rows = [_row(cards[k : k + columns], columns) for k in range(0, len(cards), columns)]
-    if more or not cards:
+    if not cards:
         foot = Canvas(_GAP + columns * (_WIDTH + _GAP), 60, BACKDROP)
-        words = f"only the first {_MOST_CARDS} are shown" if more else "nothing to show"
-        foot.words((foot.width / 2, 26), words, 14, MUTED, "mm")
+        foot.words((foot.width / 2, 26), "nothing to show", 14, MUTED, "mm")
         rows.append(foot.finish())
     return np.concatenate(rows)
 
@@ -82,7 +102,7 @@ def folder_index(entries: Iterable[Entry], title: str) -> str:
         failed += entry.colour == FAILED
         doubtful += entry.colour == DOUBT
     return _PAGE.format(
-        title=escape(title),
+        title=escape(shown(title)),
         count=len(cards),
         done=len(cards) - failed,
         failed=failed,
@@ -114,17 +134,33 @@ def _card(canvas: Canvas, entry: Entry, left: int, top: int) -> None:
 
 
 def _html_card(entry: Entry) -> str:
-    name, status = escape(entry.name), escape(entry.status)
+    name, status = escape(shown(entry.name)), escape(shown(entry.status))
+    broken = _BREAKS.sub(r"\1<wbr>", name)
     picture = '<div class="none">no picture</div>'
     if entry.thumbnail is not None:
         small, _ = fit(entry.thumbnail, _WIDTH * 2, _HEIGHT * 2)
         picture = f'<img src="{data_uri(encode_jpeg(small), "jpeg")}" alt="The object found in {name}">'
-    links = " ".join(f'<a href="{escape(quote(to))}">{escape(words)}</a>' for words, to in entry.links)
+    links = " ".join(
+        f'<a href="{escape(quote(to, errors="surrogateescape"))}">{escape(words)}</a>' for words, to in entry.links
+    )
     return (
-        f'<li class="{_CLASSES[entry.colour]}">{picture}<h2>{name}</h2><p>{status}</p><p class="links">{links}</p></li>'
+        f'<li class="{_CLASSES[entry.colour]}" style="--sure:{_rank(entry)}">{picture}<h2>{broken}</h2>'
+        f'<p>{status}</p><p class="links">{links}</p></li>'
     )
 
 
+def _address(path: str) -> str:
+    """The path as an address: byte by byte, whatever its encoding."""
+    return quote(path, errors="surrogateescape")
+
+
+def _rank(entry: Entry) -> int:
+    """Its place where the least sure come first: failures, then by confidence."""
+    return -1 if entry.message is not None else round(1000 * (1.0 if entry.confidence is None else entry.confidence))
+
+
+_BREAKS = re.compile(r"([/_\-. ])(?=\w)")
+"""Where a long name may be broken: after what separates its words, not within a word or an entity."""
 _CLASSES = {FAILED: "bad", DOUBT: "doubt", DONE: "good"}
 _PAGE = """<!doctype html>
 <html lang="en">
@@ -151,11 +187,26 @@ _PAGE = """<!doctype html>
   .doubt p:not(.links) {{ color: {doubt} }}
   .links {{ margin-top: 8px; display: flex; flex-wrap: wrap; gap: 4px 14px }}
   a {{ color: #0062b2 }}
+  fieldset {{ display: inline-flex; flex-wrap: wrap; gap: 4px 14px; border: 0; padding: 0; margin: 0 28px 16px 0 }}
+  legend {{ float: left; margin-right: 10px; color: #59616d }}
+  form:has(#bad:checked) ~ ul li:not(.bad), form:has(#check:checked) ~ ul li:not(.doubt),
+  form:has(#done:checked) ~ ul li.bad {{ display: none }}
+  form:has(#sure:checked) ~ ul li {{ order: var(--sure) }}
 </style>
 </head>
 <body>
 <h1>{title}</h1>
 <p class="sum">{count} pictures: {done} done{check}, {failed} failed</p>
+<form>
+<fieldset><legend>Show</legend>
+<label><input type="radio" name="show" checked> all</label>
+<label><input type="radio" name="show" id="done"> done</label>
+<label><input type="radio" name="show" id="check"> to be checked</label>
+<label><input type="radio" name="show" id="bad"> failed</label></fieldset>
+<fieldset><legend>Sort by</legend>
+<label><input type="radio" name="sort" checked> name</label>
+<label><input type="radio" name="sort" id="sure"> least sure first</label></fieldset>
+</form>
 <ul>
 {cards}
 </ul>

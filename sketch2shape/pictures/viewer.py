@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from sketch2shape.model import Answer
-from sketch2shape.pictures.canvas import encode_png, fit
+from sketch2shape.pictures.canvas import encode_png, fit, shown
 from sketch2shape.pictures.facets import PITCH, YAW, stand, surface
 from sketch2shape.pictures.overlay import overlay
 
@@ -21,7 +21,7 @@ from sketch2shape.pictures.overlay import overlay
 def viewer(result: Answer, title: str | None = None) -> str:
     """An HTML page that turns the result's solids in 3-D beside the drawing; the same input gives the same text."""
     return _template("viewer.html").substitute(
-        title=escape(title or result.picture.source),
+        title=escape(shown(title or result.picture.source)),
         picture=data_uri(encode_png(_thumb(result))),
         facts="".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in facts(result)),
         script=renderer(),

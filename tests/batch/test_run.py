@@ -21,6 +21,7 @@ from sketch2shape.batch.manifest import NAME
 from sketch2shape.command.parser import parse
 from sketch2shape.command.run import run
 from sketch2shape.errors import UsageError, WriteError
+from sketch2shape.pictures import folder
 
 ROOT = Path(__file__).parents[2]
 _KINDS = ("clean_wire_oblique", "clean_removed_axono", "taper_wire")
@@ -211,6 +212,27 @@ def test_advice_is_given_once(here, capsys):
         line for line in capsys.readouterr().err.splitlines() if "blank." in line or "the picture is blank" in line
     ]
     assert sorted(line.rpartition("Try: ")[2][:8] for line in lines) == ["a drawin", "as above", "as above"]
+
+
+def test_names_that_are_no_utf8_everywhere(here):
+    name = os.fsdecode(b"caf\xe9.png")
+    picture(f"in/{name}")
+    pages = ["--index", "i.html", "--contact-sheet", "c.png", "--report", "r.csv"]
+    assert command("in", "-o", "out", "--format", "obj,html,json", *pages) == 0
+    assert os.path.exists(b"out/caf\xe9.obj")
+    assert "out/caf%E9.obj" in (here / "i.html").read_text("utf-8")
+    assert command(f"in/{name}", "-o", "one", "--html", "one.html", "--index", "j.html") == 0
+
+
+def test_a_long_folder_takes_several_contact_sheets_and_replaces_none(here, monkeypatch):
+    monkeypatch.setattr(folder.contact_sheets, "__defaults__", (5, 4))
+    monkeypatch.setattr(folder.count_sheets, "__defaults__", (4,))
+    (here / "c.p2.png").write_text("mine")
+    with pytest.raises(WriteError, match=r"c\.p2\.png exists already"):
+        command("in", "-o", "out", "--contact-sheet", "c.png")
+    assert command("in", "-o", "out", "--contact-sheet", "d.png") == 0
+    assert os.path.exists("d.p2.png")
+    assert not os.path.exists("d.p3.png")
 
 
 @pytest.mark.parametrize(

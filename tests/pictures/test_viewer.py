@@ -49,3 +49,8 @@ def test_a_result_shows_itself(box: Result, nothing: Result) -> None:
     assert box._repr_html_() == notebook_html(box)
     assert box._repr_png_() == notebook_png(box)
     assert "no two-face object found" in nothing._repr_html_()
+
+
+def test_a_name_that_is_no_utf8_is_shown(box: Result) -> None:
+    page = viewer(box, b"caf\xe9.png".decode("utf-8", "surrogateescape"))
+    assert "caf\ufffd.png" in page.encode("utf-8").decode()
