@@ -5,7 +5,7 @@ A failure is shown as one line, ``FILE: what happened. Try: remedy``.
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 
 class Sketch2ShapeError(Exception):
@@ -52,6 +52,9 @@ class NoObjectError(Sketch2ShapeError):
 
     exit_code = 5
     remedy = "a drawing of one prism-like object with all its visible edges drawn through"
+
+    #: the best answer there was, an `Answer` that is not trusted, or None
+    guess: Any = None
 
 
 class LimitError(Sketch2ShapeError):

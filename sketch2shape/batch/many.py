@@ -11,7 +11,7 @@ import numpy as np
 
 from sketch2shape.batch.pool import run_each
 from sketch2shape.conversion.convert import as_known
-from sketch2shape.errors import Sketch2ShapeError
+from sketch2shape.errors import NoObjectError, Sketch2ShapeError
 from sketch2shape.model import Picture
 from sketch2shape.pipeline import Result
 from sketch2shape.reading.limits import Limits
@@ -63,6 +63,9 @@ def _reconstruct(numbered: tuple[int, Any], limits: Limits, options: dict[str, A
 
     try:
         result = reconstruct(numbered[1], limits=limits, **options)
+    except NoObjectError as error:
+        error.guess = None  # whose picture would travel with it
+        return error
     except Exception as error:
         return as_known(error)
     width, height = result.picture.size

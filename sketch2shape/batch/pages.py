@@ -64,8 +64,8 @@ def _entries(rows: Sequence[tuple[Planned, Outcome]], base: str) -> Iterable[Ent
 
     for item, outcome in rows:
         overlays = [o.path for o in item.outputs if o.product == "overlay"]
-        shown = overlays[:1] if outcome.exit_code == 0 else []
-        if outcome.exit_code == NoObjectError.exit_code:
+        shown = [path for path in overlays[:1] if outcome.exit_code == 0 or path in outcome.written]
+        if outcome.exit_code == NoObjectError.exit_code and not shown:
             shown = [item.path]
         thumbnail = _thumbnail(shown[0]) if shown else None
         links = [

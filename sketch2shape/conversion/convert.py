@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from sketch2shape.conversion.summary import describe, least_confidence
 from sketch2shape.corrections import parse_corrections
-from sketch2shape.errors import CrashError, LimitError, Sketch2ShapeError, WriteError
+from sketch2shape.errors import CrashError, LimitError, NoObjectError, Sketch2ShapeError, WriteError
 from sketch2shape.model import Answer, Picture
 from sketch2shape.pipeline.products import encode_product, infixed
 from sketch2shape.pipeline.report import encode_report, report
@@ -196,17 +196,20 @@ def report_failure(
     size: tuple[int, int] | None = None,
     written: dict[str, str] | None = None,
 ) -> Outcome:
-    """The outcome of a task that failed; writes its report where one is asked for and can be written.
+    """The outcome of a task that failed; writes what is asked for and can be: its report, and an overlay of a guess.
 
     size    : (width, height) of the picture, if it could be read
     written : receives path -> sha256 of the report
     """
     outcome = failure(task, error)
     done: dict[str, str] = {} if written is None else written
-    wanted = () if isinstance(error, WriteError) else [o for o in task.outputs if o.product == "json"]
     try:
-        for output in wanted:
-            _write(output, encode_report(report(as_known(error), source=task.name, size=size)), task.overwrite, done)
+        for output in () if isinstance(error, WriteError) else task.outputs:
+            if output.product == "json":
+                data = encode_report(report(as_known(error), source=task.name, size=size))
+                _write(output, data, task.overwrite, done)
+            elif output.product == "overlay" and isinstance(error, NoObjectError) and error.guess is not None:
+                _write(output, encode_product("overlay", error.guess, {}), task.overwrite, done)
     except WriteError as second:
         return replace(outcome, message=f"{outcome.message}; {second.message}")
     return replace(outcome, written=done)

@@ -7,6 +7,7 @@ from sketch2shape.evidence.detectors_agree import SURE, vouched
 from sketch2shape.evidence.doubts import doubted
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
+from sketch2shape.evidence.unexplained import unexplained_strokes
 
 __all__ = [
     "PERFECT",
@@ -22,5 +23,6 @@ __all__ = [
     "judge_stack",
     "most_possible",
     "sheet_for",
+    "unexplained_strokes",
     "vouched",
 ]

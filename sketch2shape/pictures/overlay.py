@@ -5,9 +5,11 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from sketch2shape.evidence import unexplained_strokes
+from sketch2shape.ink import find_ink
 from sketch2shape.model import Answer, Floats, Ints, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit, text_width
-from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, JOIN, MUTED, PAPER, RULE, Colour
+from sketch2shape.pictures.palette import BACK, BACKDROP, FAILED, FRONT, INK, JOIN, MUTED, PAPER, RULE, Colour
 from sketch2shape.solids import Run, edge_runs
 
 _SMALLEST, _LARGEST = 720, 2400  # longer side of the overlay, pixels: small drawings are enlarged, huge ones reduced
@@ -15,6 +17,8 @@ _SMALLEST, _LARGEST = 720, 2400  # longer side of the overlay, pixels: small dra
 
 def overlay(result: Answer, *, legend: bool = True) -> Pixels:
     """The picture, paled, with each object's faces and edges in their colours and a line of words below.
+
+    The strokes that a guess, which is not trusted (`NoObjectError.guess`), leaves out are marked.
 
     legend : leave the words out if False, as for a thumbnail
 
@@ -32,6 +36,9 @@ def overlay(result: Answer, *, legend: bool = True) -> Pixels:
     canvas.view(float(scale), (scale / 2 - 0.5, scale / 2 - 0.5))
     for obj, solid in zip(result.objects, result.solids, strict=True):
         draw_object(canvas, obj, solid, unit)
+    if result.error is not None:
+        for a, b in unexplained_strokes(find_ink(result.picture), result.objects):
+            canvas.line(a, b, FAILED, 9 * unit, alpha=0.45)
     canvas.view()
     if legend:
         _legend(canvas, result, h, strip, unit)
@@ -80,18 +87,18 @@ def _draw_edge(canvas: Canvas, ends: Floats, runs: list[Run], colour: Colour, un
 def _legend(canvas: Canvas, result: Answer, top: int, height: int, unit: float) -> None:
     """A line of words for each object under the picture."""
     canvas.box(0, top, canvas.width, unit, RULE)
-    for row, (obj, solid) in enumerate(zip(result.objects, result.solids, strict=True)):
-        _legend_row(canvas, obj, solid, top + height * (row + 0.5), unit)
+    for row, (solid, confidence) in enumerate(zip(result.solids, result.confidences, strict=True)):
+        name = solid.projection.family if result.error is None else "a guess"
+        _legend_row(canvas, f"{name}, confidence {confidence:.2f}", top + height * (row + 0.5), unit)
     if not result.objects:
         canvas.words((17 * unit, top + height / 2), "no two-face object found", 14 * unit, MUTED, "lm")
 
 
-def _legend_row(canvas: Canvas, obj: TwoFaceObject, solid: Solid, y: float, unit: float) -> None:
+def _legend_row(canvas: Canvas, words: str, y: float, unit: float) -> None:
     size, x = 14 * unit, 17 * unit
     for label, colour in (("front f1", FRONT), ("back f2", BACK), ("connecting", JOIN)):
         canvas.box(x, y - 1.5 * unit, 18 * unit, 3 * unit, colour)
         canvas.words((x + 24 * unit, y), label, size, INK, "lm")
         x += 24 * unit + text_width(label, size) + 20 * unit
-    words = f"{solid.projection.family}, confidence {min(obj.confidence, solid.confidence):.2f}"
     if x + text_width(words, size) < canvas.width - 17 * unit:
         canvas.words((canvas.width - 17 * unit, y), words, size, MUTED, "rm")

@@ -12,8 +12,8 @@ import numpy as np
 
 from sketch2shape.connectors import check_connector, connector_of
 from sketch2shape.errors import NoObjectError
-from sketch2shape.evidence import REFUSE_BELOW, SURE, calibrated, vouched
-from sketch2shape.model import Ink, TwoFaceObject
+from sketch2shape.evidence import REFUSE_BELOW, SURE, calibrated, unexplained_strokes, vouched
+from sketch2shape.model import Answer, Floats, Ink, Picture, TwoFaceObject
 from sketch2shape.pipeline.options import explained, lift_options_of
 from sketch2shape.pipeline.result import Result
 from sketch2shape.pipeline.solid import Solid
@@ -50,7 +50,7 @@ def reconstruct(
     min_confidence : objects that are less sure are left out, 0..1
 
     Raises UsageError for an unknown option, connector or detector, UnreadableError, LimitError, or NoObjectError if no
-    two-face object is found with enough confidence.
+    two-face object is found with enough confidence; its `guess` is the best answer there was.
     """
     from sketch2shape.corrections import corrected, lift_options
     from sketch2shape.ink import find_ink
@@ -70,10 +70,10 @@ def reconstruct(
     with _timed(timings, "ink"):
         ink = find_ink(picture)
     with _timed(timings, "faces"):
-        objects = tuple(_as_object(f, ink, connector, detector) for f in find_all(ink))
-    sure = tuple(choose_front(o) for o in objects if o.confidence >= max(REFUSE_BELOW, min_confidence))
+        objects = tuple(choose_front(_as_object(f, ink, connector, detector)) for f in find_all(ink))
+    sure = tuple(o for o in objects if o.confidence >= max(REFUSE_BELOW, min_confidence))
     if not sure:
-        raise _why_not(objects, ink, min_confidence)
+        raise _why_not(objects, ink, picture, min_confidence)
     with _timed(timings, "lift"):
         solids = tuple(
             lift_solid(o, picture_size=picture.size, options=lift_options(corrections, k, options))
@@ -110,15 +110,28 @@ def _confidence(found: Found, ink: Ink, detector: str) -> float:
     return calibrated(score)
 
 
-def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink, min_confidence: float) -> NoObjectError:
+def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink, picture: Picture, min_confidence: float) -> NoObjectError:
+    """The error that says what is missing, with the best guess there was."""
     if not ink.mask.any():
         return NoObjectError("the picture is blank: no ink was found")
     if not objects:
         return NoObjectError("no two faces joined by connecting edges were found")
-    best = max(o.confidence for o in objects)
-    if best < REFUSE_BELOW:
-        return NoObjectError(f"the best two-face object explains the drawing too badly (confidence {best:.2f})")
-    return NoObjectError(
-        f"the best two-face object has confidence {best:.2f}, less than the {min_confidence:g} asked for",
-        remedy="put it right by hand with sketch2shape ui, or a lower --min-confidence",
-    )
+    best = max(objects, key=lambda o: o.confidence)
+    if best.confidence >= REFUSE_BELOW:
+        error = NoObjectError(
+            f"the best two-face object has confidence {best.confidence:.2f}, {min_confidence:g} was asked for",
+            remedy="put it right by hand with sketch2shape ui, or a lower --min-confidence",
+        )
+    else:
+        left_out = unexplained_strokes(ink, objects)
+        which = f"; not explained: {_stroke(left_out[0])}" if len(left_out) else ""
+        more = f" and {len(left_out) - 1} more" if len(left_out) > 1 else ""
+        what = "the best two-face object explains the drawing too badly"
+        error = NoObjectError(f"{what} (confidence {best.confidence:.2f}{which}{more})")
+    error.guess = Answer(objects, tuple(map(lift_solid, objects)), picture, error=error)
+    return error
+
+
+def _stroke(ends: Floats) -> str:
+    (x1, y1), (x2, y2) = ends.tolist()
+    return f"the stroke from ({x1:.0f}, {y1:.0f}) to ({x2:.0f}, {y2:.0f})"

@@ -16,6 +16,7 @@ from PIL import Image
 
 from sketch2shape.conversion.convert import Output, Settings, Task, as_known, convert, failure
 from sketch2shape.errors import CrashError, LimitError, NoObjectError
+from sketch2shape.model import Answer
 from sketch2shape.reading.limits import Limits
 
 PIPELINE = import_module("sketch2shape.pipeline")
@@ -122,3 +123,19 @@ def test_the_input_is_not_touched(task):
     after = os.stat(task.source)
     assert (before.st_mtime_ns, before.st_size) == (after.st_mtime_ns, after.st_size)
     assert np.array_equal(np.frombuffer(png(), np.uint8), np.fromfile(task.source, np.uint8))
+
+
+def test_a_guess_is_drawn_where_an_overlay_is_asked_for(tmp_path, monkeypatch):
+    result = stand_in.reconstruct(np.zeros((30, 40), np.uint8))
+
+    def refuse(*_, **__):
+        error = NoObjectError("not sure")
+        error.guess = Answer(result.objects, result.solids, result.picture, error=error)
+        raise error
+
+    monkeypatch.setattr(PIPELINE, "reconstruct", refuse)
+    outputs = tuple(Output(product, str(tmp_path / f"a.{product}")) for product in ("obj", "overlay", "json"))
+    outcome = convert(Task("a.png", "a.png", outputs, data=png()))
+    assert outcome.exit_code == 5
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.json", "a.overlay"]
+    assert (tmp_path / "a.overlay").read_bytes().startswith(b"\x89PNG")
