@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 from typing import TYPE_CHECKING, Any
 
 from sketch2shape.errors import MissingPackageError, UnreadableError
@@ -94,7 +95,7 @@ def _svg(data: bytes, limits: Limits) -> Image:
     from PIL import Image, PngImagePlugin  # noqa: F401  (the plugin registers itself)
 
     resvg = _package("resvg_py", "SVG")
-    text = _inflate(data, limits).decode("utf-8-sig")
+    text = _xml_text(_inflate(data, limits))
     width, height = _svg_size(text)
     side = min(_SVG_SIDE, limits.max_side, math.isqrt(limits.max_pixels))
     shrink = side / max(width, height)
@@ -129,8 +130,6 @@ def _inflate(data: bytes, limits: Limits) -> bytes:
 
 def _without_links(text: str) -> str:
     """Blank links other than `#part` and `data:`, so that a drawing cannot pull in files of the machine."""
-    import re
-
     return re.sub(r"(href\s*=\s*)([\"'])\s*(?!#|data:)[^\"']*\2", r"\1\2\2", text)
 
 
@@ -161,15 +160,50 @@ def _svg_size(text: str) -> tuple[float, float]:
 
 
 def _box(attributes: dict[str, str]) -> tuple[float, float]:
-    """Width and height by the attributes of the root element: its sizes, the view box where one is missing, or 100."""
-    import re
+    """Width and height by the attributes of the root element: its sizes, its view box, or 100.
 
-    view = [float(x) for x in re.findall(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", attributes.get("viewBox", ""))]
-    fallback = view[2:4] if len(view) == 4 else [100.0, 100.0]
-    sizes = []
-    for key, other in zip(("width", "height"), fallback, strict=True):
-        match = re.fullmatch(r"\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*[a-z]*\s*", attributes.get(key, ""))
-        sizes.append(float(match[1]) if match else other)
+    Where one size is missing, or a part of a page that is not known, the view box tells the ratio.
+    """
+    view = [float(x) for x in _NUMBERS.findall(attributes.get("viewBox", ""))]
+    page = (view[2], view[3]) if len(view) == 4 and view[2] > 0 and view[3] > 0 else None
+    width, height = (_pixels(attributes.get(key, "")) for key in ("width", "height"))
+    if page and width is None and height is None:
+        width, height = page
+    elif page:
+        width = width if width is not None else (height or 0.0) * page[0] / page[1]
+        height = height if height is not None else width * page[1] / page[0]
+    sizes = (100.0 if width is None else width, 100.0 if height is None else height)
     if not all(0 < size < 1e9 for size in sizes):
         raise UnreadableError(f"an SVG of {sizes[0]:g} x {sizes[1]:g}", remedy="another page size")
-    return sizes[0], sizes[1]
+    return sizes
+
+
+def _pixels(length: str) -> float | None:
+    """A length of SVG in pixels, None where it is missing or a part of the page."""
+    match = _LENGTH.fullmatch(length)
+    return float(match[1]) * _PIXELS_PER[match[2] or "px"] if match else None
+
+
+_NUMBERS = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_LENGTH = re.compile(r"\s*\+?(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*(px|pt|pc|mm|cm|in|em|ex|)\s*")
+#: CSS pixels in each unit of length, with letters of the usual size
+_PIXELS_PER = {"px": 1.0, "pt": 4 / 3, "pc": 16.0, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96.0, "em": 16.0, "ex": 8.0}
+
+
+def _xml_text(data: bytes) -> str:
+    """The text of XML by its byte order mark, else by the encoding it declares, else UTF-8. Raises UnreadableError."""
+    declared = _ENCODING.match(data.replace(b"\0", b"")[:200])
+    name = declared[1].decode("ascii") if declared else "utf-8"
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        name = "utf-16"
+    elif data[:2] in (b"<\0", b"\0<"):
+        name = "utf-16-le" if data[0] else "utf-16-be"
+    elif data.startswith(b"\xef\xbb\xbf"):
+        name = "utf-8-sig"
+    try:
+        return data.decode(name)
+    except (LookupError, UnicodeDecodeError) as error:
+        raise UnreadableError(f"damaged SVG ({error})"[:120], remedy="save it as PNG") from None
+
+
+_ENCODING = re.compile(rb"\s*<\?xml[^>]*?encoding\s*=\s*[\"']([A-Za-z0-9._-]+)[\"']")

@@ -13,7 +13,7 @@ import stat
 from collections.abc import Callable, Iterator
 from typing import IO, TYPE_CHECKING, Any, TypeVar
 
-from sketch2shape.errors import LimitError, Sketch2ShapeError, UnreadableError, UsageError
+from sketch2shape.errors import LimitError, MissingPackageError, Sketch2ShapeError, UnreadableError, UsageError
 from sketch2shape.model import Picture
 from sketch2shape.reading.limits import Limits
 from sketch2shape.reading.pixels import from_array, from_image
@@ -40,16 +40,23 @@ PLUGINS = {
     "BMP": "BmpImagePlugin",
     "GIF": "GifImagePlugin",
     "PPM": "PpmImagePlugin",
+    "TGA": "TgaImagePlugin",
+    "ICO": "IcoImagePlugin",
+    "JPEG2000": "Jpeg2KImagePlugin",
+    "AVIF": "AvifImagePlugin",
 }
+#: formats that not every build of Pillow decodes -> what Pillow calls the decoder
+_OPTIONAL = {"JPEG2000": "jpg_2000", "AVIF": "avif"}
 #: formats that need the extra `formats`
 EXTRA = ("HEIF", "PDF", "SVG")
 
-#: file name endings that make a file of a folder an input
+#: file name endings that make a file of a folder an input; an icon is one only if it is given by name
 SUFFIXES = frozenset(
     f".{ending}"
     for ending in (
         *("png", "apng", "jpg", "jpeg", "jpe", "jfif", "webp", "tif", "tiff", "bmp", "dib", "gif"),
         *("pnm", "pbm", "pgm", "ppm", "heic", "heif", "hif", "pdf", "svg", "svgz"),
+        *("avif", "tga", "jp2", "j2k", "jpx", "jpf"),
     )
 )
 
@@ -65,7 +72,11 @@ _PREFIXES = (
     (b"GIF89a", "GIF"),
     (b"%PDF-", "PDF"),
     (b"\x1f\x8b", "SVG"),
+    (b"\0\0\1\0", "ICO"),
+    (b"\0\0\0\x0cjP  \r\n\x87\n", "JPEG2000"),
+    (b"\xff\x4f\xff\x51", "JPEG2000"),
 )
+_AVIF_BRANDS = (b"avif", b"avis")
 _HEIF_BRANDS = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"mif1", b"msf1")
 
 
@@ -212,12 +223,31 @@ def sniff(data: bytes) -> str | None:
             return name
     if data[:4] == b"RIFF" and data[8:12] == b"WEBP":
         return "WEBP"
-    if data[4:8] == b"ftyp" and data[8:12] in _HEIF_BRANDS:
-        return "HEIF"
+    if data[4:8] == b"ftyp" and data[8:12] in (*_HEIF_BRANDS, *_AVIF_BRANDS):
+        return "AVIF" if data[8:12] in _AVIF_BRANDS else "HEIF"
     if data[:1] == b"P" and data[1:2] in b"123456" and data[2:3].isspace():
         return "PPM"
-    head = data[:1024].lstrip(b"\xef\xbb\xbf \t\r\n")
-    return "SVG" if head.startswith(b"<") and b"<svg" in data[:65536] else None
+    if _is_svg(data):
+        return "SVG"
+    return "TGA" if _is_tga(data) else None
+
+
+def _is_svg(data: bytes) -> bool:
+    """Whether it is XML with an <svg> near its beginning, in any encoding that writes ASCII as ASCII, or UTF-16."""
+    head = data[:65536].lstrip(b"\xef\xbb\xbf\xff\xfe")
+    head = head.replace(b"\0", b"") if b"\0" in head[:4] else head
+    return head.lstrip(b" \t\r\n").startswith(b"<") and b"<svg" in head
+
+
+def _is_tga(data: bytes) -> bool:
+    """By its footer or, as the older version has none and no first bytes of its own, by a header that makes sense."""
+    if data[-18:] == b"TRUEVISION-XFILE.\0":
+        return True
+    header = data[:18]
+    if len(header) < 18 or header[1] > 1 or header[2] not in (1, 2, 3, 9, 10, 11) or header[17] & 0xC0:
+        return False
+    sized = any(header[12:14]) and any(header[14:16])
+    return sized and header[16] in (8, 16, 24, 32) and (header[1] == 1) == (header[2] in (1, 9))
 
 
 def _format(data: bytes) -> str:
@@ -269,8 +299,10 @@ def _open(data: bytes, name: str) -> Image:
     """Read the header, with the plugin for this format alone."""
     from importlib import import_module
 
-    from PIL import Image
+    from PIL import Image, features
 
+    if name in _OPTIONAL and not features.check(_OPTIONAL[name]):
+        raise MissingPackageError(f"this Pillow does not decode {name}", remedy="pip install --upgrade pillow")
     import_module(f"PIL.{PLUGINS[name]}")
     return Image.open(io.BytesIO(data), formats=[name])
 
@@ -312,7 +344,7 @@ def _guarded(decode: Callable[[], R]) -> R:
     except MemoryError:
         raise LimitError("not enough memory to decode it") from None
     except EOFError:
-        raise UnreadableError("damaged, or it has no such page", remedy="a complete file, or a lower --page") from None
+        raise UnreadableError("damaged, or it has no such page", remedy="a complete file, or a lower --pages") from None
     except Exception as error:
         if type(error).__name__ == "DecompressionBombError":
             pixels = next((int(word) for word in str(error).replace("(", "").split() if word.isdigit()), 0)

@@ -45,6 +45,43 @@ def test_svg_is_drawn_on_white_in_its_proportions():
     assert pixels[100, 100].min() == 255
 
 
+@pytest.mark.parametrize(
+    ("size", "ratio"),
+    [
+        ('width="10cm" height="75mm"', 100 / 75),
+        ('width="1in" height="96px"', 1.0),
+        ('width="72pt" height="6pc"', 1.0),
+        ('width="2e1em" height="160"', 2.0),
+        ('width="100%" height="100%" viewBox="0 0 300 200"', 1.5),
+        ('width="500" viewBox="0 0 300 200"', 1.5),
+        ('height="9cm" viewBox="0 0 300 200"', 1.5),
+        ('viewBox="-5,-5,30,10"', 3.0),
+        ("", 1.0),
+    ],
+)
+def test_sizes_of_an_svg_in_any_unit(size, ratio):
+    pytest.importorskip("resvg_py")
+    height, width, _ = read_picture(f'<svg xmlns="http://www.w3.org/2000/svg" {size}/>'.encode()).pixels.shape
+    assert width / height == pytest.approx(ratio, abs=0.01)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "cp1252", "utf-16", "utf-16-le", "utf-16-be"])
+def test_encodings_of_an_svg(encoding):
+    pytest.importorskip("resvg_py")
+    declared = encoding.removesuffix("-sig").removesuffix("-le").removesuffix("-be")
+    text = f'<?xml version="1.0" encoding="{declared}"?><!-- \u00e9 -->' + (SVG % LINE).decode()
+    data = text.encode(encoding)
+    assert sniff(data) == "SVG"
+    assert read_picture(data).pixels[666, 1000].max() == 0
+
+
+def test_an_svg_that_is_not_in_the_encoding_it_declares():
+    pytest.importorskip("resvg_py")
+    for data in (b"<?xml version='1.0' encoding='klingon'?>" + SVG % LINE, SVG % b"<!-- \xe9 -->"):
+        with pytest.raises(UnreadableError, match="SVG"):
+            read_picture(data)
+
+
 def test_svg_reads_no_other_file(tmp_path):
     pytest.importorskip("resvg_py")
     secret = tmp_path / "secret.png"

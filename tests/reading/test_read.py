@@ -8,15 +8,16 @@ import struct
 import warnings
 import zlib
 from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, features
 
-from sketch2shape.errors import LimitError, UnreadableError, UsageError
+from sketch2shape.errors import LimitError, MissingPackageError, UnreadableError, UsageError
 from sketch2shape.model.picture import Picture
 from sketch2shape.reading.limits import Limits
-from sketch2shape.reading.read import count_pages, parse_page, read_pages, read_picture, sniff, webp_size
+from sketch2shape.reading.read import PLUGINS, count_pages, parse_page, read_pages, read_picture, sniff, webp_size
 
 CORE = ["PNG", "JPEG", "WEBP", "TIFF", "BMP", "GIF", "PPM"]
 
@@ -45,6 +46,46 @@ def test_core_formats_are_known_by_content_and_read(kind, tmp_path):
     assert pixels.dtype == np.uint8
     assert pixels[4, 10].max() < 60
     assert pixels[20, 30].min() > 200
+
+
+@pytest.mark.parametrize(
+    ("kind", "options"),
+    [
+        ("TGA", {}),
+        ("TGA", {"compression": "tga_rle"}),
+        ("ICO", {"sizes": [(40, 30)]}),
+        ("JPEG2000", {"irreversible": False}),
+        ("JPEG2000", {"no_jp2": True}),
+        ("AVIF", {}),
+    ],
+)
+def test_formats_that_most_builds_of_pillow_read(kind, options):
+    module = import_module(f"PIL.{PLUGINS[kind]}") if kind != "AVIF" or features.check("avif") else None
+    if module is None or (kind == "JPEG2000" and not features.check("jpg_2000")):
+        pytest.skip(f"this Pillow has no decoder for {kind}")
+    data = encoded(stroke(), kind, **options)
+    assert sniff(data) == kind
+    pixels = read_picture(data).pixels
+    assert pixels.shape == (30, 40, 3)
+    assert pixels[4, 10].max() < 60
+    assert pixels[20, 30].min() > 200
+    with pytest.raises(UnreadableError):
+        read_picture(data[: len(data) // 3])
+    with pytest.raises(LimitError):
+        read_picture(data, Limits(max_pixels=1000))
+
+
+def test_an_old_targa_file_is_known_by_its_header():
+    data = encoded(stroke(mode="L"), "TGA")
+    assert sniff(data.removesuffix(data[-26:])) == "TGA"
+    assert sniff(bytes(200)) is None
+
+
+def test_a_decoder_that_this_pillow_lacks_is_named(monkeypatch):
+    monkeypatch.setattr(features, "check", lambda _: False)
+    for data in (b"\xff\x4f\xff\x51" + bytes(60), b"\0\0\0\x20ftypavif" + bytes(60)):
+        with pytest.raises(MissingPackageError, match="does not decode"):
+            read_picture(data)
 
 
 def test_all_kinds_of_source_give_the_same_pixels(tmp_path):
