@@ -18,7 +18,7 @@ from sketch2shape.pipeline import reconstruct
 
 LOOP = """
 import pathlib, cv2
-from sketch2shape.reconstruct import reconstruct
+from sketch2shape.pipeline import reconstruct
 from sketch2shape.errors import Sketch2ShapeError
 cv2.setNumThreads(1)
 for path in sorted(pathlib.Path({source!r}).iterdir()):

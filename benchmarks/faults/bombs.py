@@ -16,8 +16,8 @@ from PIL import Image
 _MEASURE = """
 import json, resource, sys, time
 from sketch2shape.errors import LimitError, Sketch2ShapeError
-from sketch2shape.read import read_picture
-from sketch2shape.write import quiet_stderr
+from sketch2shape.reading.read import read_picture
+from sketch2shape.writing import quiet_stderr
 read_picture({sound!r})
 begin, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 try:

@@ -12,7 +12,7 @@ from benchmarks.faults.samples import mutated, samples
 from sketch2shape.batch.pool import run_each
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.reading.read import count_pages, read_picture
-from sketch2shape.writing.files import quiet_stderr
+from sketch2shape.writing import quiet_stderr
 
 _BLOCK = 250
 _SLOW = 5.0

@@ -19,6 +19,7 @@ _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight 
   sketch2shape drawing.png -o solid.obj           one picture, one mesh
   sketch2shape drawings/ -o meshes/ --json        a folder; its tree is kept
   sketch2shape ui                                 the same in the browser, and put it right by hand
+  sketch2shape serve                              the same over HTTP, for programs
   cat drawing.png | sketch2shape - -o - > a.obj   standard input and output"""
 
 _EPILOG = """exit codes: 0 all done, 1 bug, 2 usage, 3 some inputs failed, 4 input unreadable or not an image,
@@ -232,14 +233,16 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
     occupy_descriptors()
     words = list(sys.argv[1:] if argv is None else argv)
-    arguments = argparse.Namespace(inputs=["ui"], debug=False) if words[:1] == ["ui"] else parse(words)
+    served = words[0] if words[:1] in (["ui"], ["serve"]) else None
+    arguments = argparse.Namespace(inputs=[served], debug=False) if served else parse(words)
     if not arguments.debug:
         warnings.simplefilter("ignore")  # decoders warn of what is odd in a file
     try:
-        if words[:1] == ["ui"]:
-            from sketch2shape.ui.serve import main as serve
+        if served:
+            from importlib import import_module
 
-            return serve(words[1:])
+            room = {"ui": "sketch2shape.ui.serve", "serve": "sketch2shape.ui.service"}[served]
+            return int(import_module(room).main(words[1:]))
         compute_in_one_thread()
         from sketch2shape.command.run import run
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from base64 import b64decode
-from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
+from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from functools import cache
 from importlib.resources import files
@@ -22,12 +22,12 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from sketch2shape import __version__
-from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.ui import jobs
+from sketch2shape.ui.answers import in_plain_words, plain_refusal
 from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.ui.guard import Guard, Refusal, read_body
 from sketch2shape.ui.hosts import LOCAL_NAMES
-from sketch2shape.ui.workers import BusyError, WorkerPool, Workers
+from sketch2shape.ui.workers import WorkerPool, Workers
 
 _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, media type: nothing else is served
     "/": ("sketch2shape.ui", "page/index.html", "text/html; charset=utf-8"),
@@ -40,8 +40,6 @@ _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, me
     },
 }
 
-#: exit code of an error -> HTTP status
-_STATUS = {1: 500, 2: 400, 4: 415, 5: 422, 6: 413, 8: 501}
 _PICTURE_KINDS = ("image/", "application/octet-stream", "application/pdf")
 _LIFT_SECONDS, _MOST_JSON = 15.0, 2**20
 
@@ -74,30 +72,9 @@ def create_app(
     return Starlette(
         routes=routes,
         middleware=[Middleware(Guard, names=names)],
-        exception_handlers={404: _plain_refusal, 405: _plain_refusal},
+        exception_handlers={404: plain_refusal, 405: plain_refusal},
         lifespan=service.lifespan,
     )
-
-
-Answer = Callable[["_Service", Request], Awaitable[Response]]
-
-
-def _in_plain_words(answer: Answer) -> Answer:
-    """Turn what goes wrong into a status and words for the page."""
-
-    async def guarded(self: _Service, request: Request) -> Response:
-        try:
-            return await answer(self, request)
-        except Refusal as refusal:
-            return refusal.response()
-        except Sketch2ShapeError as error:
-            status = 503 if isinstance(error, BusyError) else _STATUS.get(error.exit_code, 500)
-            return JSONResponse({"error": error.message, "advice": error.advice}, status_code=status)
-        except Exception as error:  # the last line of defence: the page is told, the app goes on
-            words = f"something went wrong inside ({type(error).__name__})"
-            return JSONResponse({"error": words, "advice": "report this as a bug, with the drawing"}, status_code=500)
-
-    return guarded
 
 
 class _Service:
@@ -124,7 +101,7 @@ class _Service:
             raise RuntimeError("the app has not been started")
         return self._workers
 
-    @_in_plain_words
+    @in_plain_words
     async def reconstruct(self, request: Request) -> Response:
         """Picture bytes in; objects, solids and stages out."""
         data = await read_body(request, _PICTURE_KINDS, self._max_upload)
@@ -132,20 +109,20 @@ class _Service:
         found = await self.workers.run(jobs.reconstruct_picture, data, name, seconds=self._seconds)
         return JSONResponse(found)
 
-    @_in_plain_words
+    @in_plain_words
     async def lift(self, request: Request) -> Response:
         """Corrections in, solids out."""
         data = await _read_json(request, _MOST_JSON)
         return JSONResponse(await self.workers.run(jobs.lift_corrections, data, seconds=_LIFT_SECONDS))
 
-    @_in_plain_words
+    @in_plain_words
     async def connect(self, request: Request) -> Response:
         """{"front": points, "back": points} in, rings out."""
         data = await _read_json(request, _MOST_JSON)
         front, back = (data.get(k) for k in ("front", "back"))
         return JSONResponse(await self.workers.run(jobs.connect_loose, front, back, seconds=_LIFT_SECONDS))
 
-    @_in_plain_words
+    @in_plain_words
     async def stages(self, request: Request) -> Response:
         """{"picture": base64, "corrections": ...} in, the stages' pictures out."""
         data = await _read_json(request, self._max_upload * 4 // 3 + _MOST_JSON)
@@ -156,7 +133,7 @@ class _Service:
         found = await self.workers.run(jobs.show_stages, picture, data.get("corrections"), seconds=self._seconds)
         return JSONResponse(found)
 
-    @_in_plain_words
+    @in_plain_words
     async def export(self, request: Request) -> Response:
         """Corrections in, a mesh file out."""
         data = await _read_json(request, _MOST_JSON)
@@ -196,9 +173,3 @@ async def _example(request: Request) -> Response:
     if name not in EXAMPLES:
         return Refusal(404, "there is no such example").response()
     return Response(await run_in_threadpool(example_png, name), media_type="image/png")
-
-
-async def _plain_refusal(_request: Request, error: Exception) -> Response:
-    status = getattr(error, "status_code", 404)
-    words = "there is no such page" if status == 404 else "this cannot be asked in this way"
-    return Refusal(status, words).response()

@@ -54,6 +54,19 @@ def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
     }
 
 
+def make_product(data: bytes, product: str, options: dict[str, Any]) -> bytes:
+    """The bytes of a product (a mesh format, "json", ...) of an uploaded picture; options as for `reconstruct`."""
+    from sketch2shape.pipeline import reconstruct
+    from sketch2shape.pipeline.products import encode_product
+    from sketch2shape.reading.read import read_picture
+
+    try:
+        return encode_product(product, reconstruct(read_picture(data, name="upload", reduced=True), **options), {})
+    except NoObjectError as error:
+        error.guess = None  # whose picture would travel with it
+        raise
+
+
 def lift_corrections(data: Any) -> dict[str, Any]:
     """The solids of faces that were put right by hand."""
     return _described(_corrected(data, None))

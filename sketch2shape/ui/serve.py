@@ -8,9 +8,13 @@ import sys
 import threading
 import webbrowser
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from sketch2shape.errors import MissingPackageError, UsageError
 from sketch2shape.ui.hosts import LOCAL_NAMES
+
+if TYPE_CHECKING:
+    from starlette.applications import Starlette
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -71,7 +75,7 @@ def serve(
     Raises UsageError if the address cannot be used, MissingPackageError without the extra `ui`.
     """
     try:
-        import uvicorn
+        import uvicorn  # noqa: F401  (said now if it is missing)
 
         from sketch2shape.ui.app import create_app
     except ImportError as error:
@@ -80,9 +84,18 @@ def serve(
         ) from error
     if not (0 <= port < 65536 and max_upload > 0 and seconds > 0):
         raise UsageError("port, upload size and time limit must be positive and a port below 65536")
-    listening = _listen(host, port)
+    listening = listen(host, port)
     bracketed = f"[{host}]" if ":" in host else host
     app = create_app(names=frozenset(names) | {bracketed}, max_upload=max_upload, seconds=seconds)
+    address = f"http://{bracketed}:{listening.getsockname()[1]}/"
+    on_start(address)
+    run_app(app, listening)
+
+
+def run_app(app: Starlette, listening: socket.socket) -> None:
+    """Serve an app on a socket that listens, until interrupted."""
+    import uvicorn
+
     config = uvicorn.Config(
         app,
         access_log=False,
@@ -96,12 +109,10 @@ def serve(
         timeout_keep_alive=5,
         timeout_graceful_shutdown=2,
     )
-    address = f"http://{bracketed}:{listening.getsockname()[1]}/"
-    on_start(address)
     uvicorn.Server(config).run(sockets=[listening])
 
 
-def _listen(host: str, port: int) -> socket.socket:
+def listen(host: str, port: int) -> socket.socket:
     """A socket that listens on the address. Raises UsageError."""
     try:
         family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import asyncio
 import multiprocessing
+import signal
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from sketch2shape.batch.worker import HAS_TIMER, limited_time
 from sketch2shape.errors import LimitError, Sketch2ShapeError
 
 if TYPE_CHECKING:
     from pebble import ProcessPool
 
 T = TypeVar("T")
+
+#: times the limit on computing that work may take by the clock
+_WAITING = 5.0
 
 
 class BusyError(Sketch2ShapeError):
@@ -71,6 +76,10 @@ class WorkerPool:
                 f"it took longer than {seconds:g} seconds", remedy="a smaller or simpler picture"
             ) from error
         except (ProcessExpired, BrokenProcessPool, MemoryError) as error:
+            if HAS_TIMER and getattr(error, "exitcode", None) == -signal.SIGPROF:
+                raise LimitError(
+                    f"it took longer than {seconds:g} seconds of computing", remedy="a smaller or simpler picture"
+                ) from error
             raise LimitError("the work needed too much memory or failed", remedy="a smaller picture") from error
         finally:
             self._count -= 1
@@ -78,10 +87,15 @@ class WorkerPool:
     def _schedule(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float) -> Future[Any]:
         """Hand a task to the pool; a pool that broke down as a whole is replaced first."""
         try:
-            return self._pool.schedule(function, args=list(arguments), timeout=seconds)
+            return self._scheduled(function, arguments, seconds)
         except RuntimeError:
             self._pool = self._start()
-            return self._pool.schedule(function, args=list(arguments), timeout=seconds)
+            return self._scheduled(function, arguments, seconds)
+
+    def _scheduled(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float) -> Future[Any]:
+        """The limit is on computing; work that only waits is ended a few times later by the clock."""
+        clock = seconds * (_WAITING if HAS_TIMER else 1.0)
+        return self._pool.schedule(_limited, args=[function, seconds, *arguments], timeout=clock)
 
     def close(self) -> None:
         """See Workers."""
@@ -89,10 +103,15 @@ class WorkerPool:
         self._pool.join()
 
 
+def _limited(function: Callable[..., T], seconds: float, *arguments: Any) -> T:
+    """In a worker."""
+    with limited_time(seconds):
+        return function(*arguments)
+
+
 def _prepare(memory: int) -> None:
     """In a new worker: leave Ctrl-C to the app, load what all work needs, then limit what a picture may take."""
     import os
-    import signal
 
     from sketch2shape.batch.worker import limit_memory
 

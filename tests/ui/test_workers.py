@@ -1,4 +1,5 @@
 import asyncio
+import itertools
 import os
 import time
 from collections.abc import Iterator
@@ -33,6 +34,8 @@ def test_errors_come_back_with_their_advice(pool: WorkerPool) -> None:
 def test_work_without_end_is_stopped_and_the_pool_goes_on(pool: WorkerPool) -> None:
     with pytest.raises(LimitError, match="longer than"):
         asyncio.run(pool.run(time.sleep, 600, seconds=0.3))
+    with pytest.raises(LimitError, match="of computing"):
+        asyncio.run(pool.run(sum, itertools.repeat(1), seconds=0.3))
     assert asyncio.run(pool.run(abs, -3, seconds=60)) == 3
 
 

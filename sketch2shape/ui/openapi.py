@@ -1,0 +1,107 @@
+"""The description of the HTTP service, OpenAPI 3.1."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sketch2shape import __version__
+
+#: product -> media type of the answer
+MEDIA = {
+    "json": "application/json",
+    "obj": "model/obj",
+    "stl": "model/stl",
+    "stl-ascii": "model/stl",
+    "ply": "application/octet-stream",
+    "off": "text/plain",
+    "glb": "model/gltf-binary",
+    "3mf": "model/3mf",
+    "step": "model/step",
+    "svg": "image/svg+xml",
+    "dxf": "image/vnd.dxf",
+    "face.svg": "image/svg+xml",
+    "face.dxf": "image/vnd.dxf",
+    "overlay": "image/png",
+    "stages": "image/png",
+    "preview": "image/png",
+    "html": "text/html; charset=utf-8",
+}
+
+#: option in the query -> (type, what it means)
+OPTIONS = {
+    "projection": ("string", "auto, oblique, axonometric or perspective"),
+    "width": ("string", "real width, as 40mm"),
+    "height": ("string", "real height"),
+    "depth": ("string", "real distance between the two faces"),
+    "unit": ("string", "unit of length: px, mm, cm, m or in"),
+    "min_confidence": ("number", "leave out objects that are less sure, 0 to 1"),
+}
+
+_REFUSALS = {
+    "400": "options that make no sense, or no picture in the form",
+    "408": "the upload took too long",
+    "413": "too many bytes or pixels, or too much computing",
+    "415": "not a picture, or a body of another type",
+    "422": "no object was found, or none that can be trusted",
+    "500": "a bug",
+    "501": "an optional package is missing on the server",
+    "503": "too much work is waiting: try again",
+}
+
+
+def description() -> dict[str, Any]:
+    """The whole document, ready for JSON."""
+    picture = {"schema": {"type": "string", "format": "binary"}}
+    form = {"type": "object", "required": ["file"], "properties": {"file": {"type": "string", "format": "binary"}}}
+    refusal = {"application/json": {"schema": {"$ref": "#/components/schemas/Refusal"}}}
+    answers: dict[str, Any] = {
+        "200": {"description": "the product", "content": {m: {} for m in sorted({*MEDIA.values()})}}
+    }
+    answers |= {status: {"description": words, "content": refusal} for status, words in _REFUSALS.items()}
+    product = {"name": "format", "in": "query", "schema": {"type": "string", "enum": [*MEDIA], "default": "json"}}
+    return {
+        "openapi": "3.1.0",
+        "info": {
+            "title": "sketch2shape",
+            "version": __version__,
+            "description": "From a drawing of a prism-like object to an exact, watertight solid. Nothing is kept.",
+        },
+        "paths": {
+            "/v1/reconstruct": {
+                "post": {
+                    "summary": "A picture in, its solid (or the report on it) out",
+                    "parameters": [
+                        product,
+                        *(
+                            {"name": name, "in": "query", "description": words, "schema": {"type": kind}}
+                            for name, (kind, words) in OPTIONS.items()
+                        ),
+                    ],
+                    "requestBody": {
+                        "required": True,
+                        "content": {
+                            "image/*": picture,
+                            "application/pdf": picture,
+                            "application/octet-stream": picture,
+                            "multipart/form-data": {"schema": form},
+                        },
+                    },
+                    "responses": answers,
+                }
+            },
+            "/health": {
+                "get": {"summary": "Whether the service is up", "responses": {"200": {"description": "it is"}}}
+            },
+        },
+        "components": {
+            "schemas": {
+                "Refusal": {
+                    "type": "object",
+                    "properties": {
+                        "error": {"type": "string", "description": "what happened"},
+                        "advice": {"type": "string", "description": "what to try"},
+                    },
+                }
+            }
+        },
+    }
