@@ -55,8 +55,7 @@ def make_plan(inputs: Sequence[str], out: str | None, products: Sequence[str], *
     Raises UnreadableError if there are no pictures, UsageError if an output would replace an input.
     """
     base = common_folder(inputs)
-    skip = None if out is None or _same(out, base) else out
-    found = {path for one in inputs for path in _pictures(one, skip, frozenset(map(os.path.abspath, ours)))}
+    found = pictures_in(inputs, out, ours=ours)
     if not found:
         raise UnreadableError("no pictures in it", remedy="a folder with PNG, JPEG, WebP, TIFF, BMP, GIF or PNM files")
     pairs = sorted((PurePath(os.path.relpath(path, base)).as_posix(), path) for path in found)
@@ -74,6 +73,12 @@ def make_plan(inputs: Sequence[str], out: str | None, products: Sequence[str], *
         items.append(Planned(path, name, tuple(map(Output, products, files))))
     keep_inputs((item.path for item in items), (o.path for item in items for o in item.outputs))
     return Plan(root, tuple(items), sum(stem != _stem(name) for stem, name in zip(stems, names, strict=True)))
+
+
+def pictures_in(inputs: Sequence[str], out: str | None, *, ours: Collection[str] = ()) -> set[str]:
+    """The pictures that inputs stand for; parameters as for `make_plan`."""
+    skip = None if out is None or _same(out, common_folder(inputs)) else out
+    return {path for one in inputs for path in _pictures(one, skip, frozenset(map(os.path.abspath, ours)))}
 
 
 def common_folder(inputs: Sequence[str]) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from sketch2shape import __version__
+from sketch2shape.command.completion import PrintCompletion
 from sketch2shape.errors import Sketch2ShapeError, one_line
 from sketch2shape.processes.threads import compute_in_one_thread
 from sketch2shape.writing import occupy_descriptors, tell
@@ -74,6 +75,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("inputs", metavar="INPUT", nargs="+", help="image, folder, or - for standard input")
     parser.add_argument("-V", "--version", action="version", version=f"sketch2shape {__version__}")
+    parser.add_argument("--print-completion", metavar="SHELL", action=PrintCompletion, help="for bash, zsh or fish")
     parser.add_argument("-q", "--quiet", action="store_true", help="say nothing but what failed")
     parser.add_argument("--debug", action="store_true", help="show the traceback of a bug")
     for add in (_output_options, _reading_options, _method_options, _solid_options, _batch_options):
@@ -166,6 +168,7 @@ def _batch_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--timeout", metavar="S", type=_seconds, help="seconds for one input (default 120 in a batch)")
     group.add_argument("--max-memory", metavar="N", type=_bytes, help="memory for one input (default 4G in a batch)")
     group.add_argument("--resume", action="store_true", help="go on with a run that was stopped")
+    group.add_argument("--watch", action="store_true", help="stay, and convert pictures as they appear in the folder")
     group.add_argument("--fail-fast", action="store_true", help="stop at the first input that fails")
     group.add_argument("--dry-run", action="store_true", help="print what would be read and written, and stop")
     group.add_argument("--index", metavar="FILE.html", help="page with thumbnail, status and links of each input")

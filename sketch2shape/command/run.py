@@ -36,11 +36,19 @@ def run(arguments: Namespace, work: Work = convert) -> int:
     inputs = arguments.inputs
     check_inputs(inputs)
     settings = settings_of(arguments)
-    if len(inputs) == 1 and not os.path.isdir(inputs[0]) and not (arguments.resume or arguments.scheduler):
+    if (
+        len(inputs) == 1
+        and not os.path.isdir(inputs[0])
+        and not (arguments.resume or arguments.scheduler or arguments.watch)
+    ):
         return _run_one(arguments, settings, work)
     from sketch2shape.batch.run import run_batch
 
     check_effects(arguments)
+    if arguments.watch:
+        from sketch2shape.batch.watch import watch
+
+        return watch(arguments, settings, work)
     return run_batch(arguments, settings, work)
 
 

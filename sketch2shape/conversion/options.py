@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from argparse import Namespace
 
-from sketch2shape.pipeline.products import suffix
+from sketch2shape.pipeline.products import SUFFIXES, suffix
+
+
+def known_formats() -> list[str]:
+    """All that --format knows."""
+    from sketch2shape.export import FORMATS
+
+    return [*FORMATS, *SUFFIXES]
 
 
 def wants_pages(arguments: Namespace) -> bool:

@@ -20,7 +20,7 @@ Bools = NDArray[np.bool_]
 Gray = NDArray[np.uint8]
 
 
-_MOST = 6
+_MOST = 3
 """Items up to which a tuple is shown whole."""
 
 
@@ -46,10 +46,10 @@ def brief(value: object) -> str:
     if isinstance(value, np.ndarray):
         return f"{value.shape} {value.dtype}"
     if isinstance(value, tuple) and len(value) > _MOST:
-        return f"({brief(value[0])}, ... {len(value)} in all)"
+        return f"({len(value)} {type(value[0]).__name__})"
     if isinstance(value, tuple):
         return f"({', '.join(map(brief, value))}{',' * (len(value) == 1)})"
-    return repr(value)
+    return f"{value:.4g}" if isinstance(value, float) else repr(value)
 
 
 def _is_default(value: object, field: Field[Any]) -> bool:

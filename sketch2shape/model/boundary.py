@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from sketch2shape.errors import PointsError
-from sketch2shape.model.arrays import Floats, Ints
+from sketch2shape.model.arrays import Brief, Floats, Ints
 from sketch2shape.model.drawing import ring_edges
 
 Ring: TypeAlias = tuple[int, ...]
@@ -27,8 +27,8 @@ class Line:
     """The straight curve; an edge's two vertices say where it runs."""
 
 
-@dataclass(frozen=True)
-class Plane:
+@dataclass(frozen=True, eq=False, repr=False)
+class Plane(Brief):
     """The flat surface.
 
     origin : (3,) float, a point on it, in the solid's unit
@@ -82,8 +82,8 @@ class Face:
     loops: tuple[Loop, ...]
 
 
-@dataclass(frozen=True)
-class Boundary:
+@dataclass(frozen=True, eq=False, repr=False)
+class Boundary(Brief):
     """The closed surface of a solid. Each edge is walked twice, once each way.
 
     vertices : (k, 3) float, each on some face

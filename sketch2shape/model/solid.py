@@ -20,7 +20,7 @@ class Projection:
     """
 
     family: Literal["oblique", "axonometric", "perspective"]
-    evidence: dict[str, Any] = field(default_factory=dict)
+    evidence: dict[str, Any] = field(default_factory=dict, repr=False)
 
 
 @dataclass(frozen=True, eq=False)

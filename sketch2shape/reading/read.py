@@ -346,7 +346,7 @@ def _guarded(decode: Callable[[], R]) -> R:
     except EOFError:
         raise UnreadableError("damaged, or it has no such page", remedy="a complete file, or a lower --pages") from None
     except Exception as error:
-        if type(error).__name__ == "DecompressionBombError":
+        if type(error).__name__.startswith("DecompressionBomb"):  # the warning, where warnings are errors
             pixels = next((int(word) for word in str(error).replace("(", "").split() if word.isdigit()), 0)
             raise LimitError(f"{pixels / 1e6:.0f} megapixels are too many", remedy="a smaller picture") from None
         raise UnreadableError(f"damaged ({_first_line(error)})", remedy="save or download it again") from error

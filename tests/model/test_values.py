@@ -26,7 +26,7 @@ def test_values_can_be_compared_hashed_and_shown(value):
     assert len({value, twin, value}) == 2
     shown = repr(value)
     assert shown.startswith(type(value).__name__)
-    assert len(shown) < 1000
+    assert len(shown) < 700
     assert "\n" not in shown
     assert "array(" not in shown
 
@@ -36,7 +36,8 @@ def test_arrays_are_shown_by_their_shape_and_defaults_not_at_all():
     assert "confidence=0.5" in repr(s2s.TwoFaceObject(SQUARE, SQUARE + 9, confidence=0.5))
     assert brief(tuple("abc")) == "('a', 'b', 'c')"
     assert brief((1,)) == "(1,)"
-    assert brief(tuple(range(100))) == "(0, ... 100 in all)"
+    assert brief(tuple(range(100))) == "(100 int)"
+    assert brief(0.123456) == "0.1235"
 
 
 @pytest.mark.parametrize("form", [np.ndarray.tolist, lambda a: a[:, None], lambda a: a.astype(np.float32), np.rint])
