@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
+from os import PathLike
 from typing import Any
 
 import numpy as np
 
 from sketch2shape.batch.pool import run_each
 from sketch2shape.conversion.convert import as_known
-from sketch2shape.errors import NoObjectError, Sketch2ShapeError
-from sketch2shape.model import Picture
-from sketch2shape.pipeline import Result
+from sketch2shape.errors import NoObjectError, Sketch2ShapeError, UsageError
+from sketch2shape.model import Picture, checked_count, checked_number
+from sketch2shape.pipeline import Result, reconstruct
+from sketch2shape.pipeline.options import limits_of, refuse_unknown
 from sketch2shape.reading.limits import Limits
 from sketch2shape.reading.read import source_name
 
@@ -31,15 +33,34 @@ def reconstruct_many(
 
     sources    : paths, bytes or arrays, in any iterable; it is read no further than a few items ahead
     jobs       : number of workers; None: one for each core
-    timeout    : seconds for one picture
+    timeout    : seconds of computing for one picture, or five times as many by the clock
     max_memory : bytes for one picture on top of the program itself
     options    : as for `reconstruct`
 
-    A source that fails gives a result without objects whose `error` says why; nothing is raised for it. The pictures
-    in the results are white and of the right size: the pixels stay in the workers.
+    A source that fails gives a result without objects whose `error` says why; nothing is raised for it. Options that
+    make no sense raise UsageError at once. The pictures in the results are white and of the right size: the pixels stay
+    in the workers.
     """
-    numbered = enumerate(sources)
-    work = partial(_reconstruct, limits=limits or Limits(), options=options)
+    if isinstance(sources, str | bytes | PathLike) or not isinstance(sources, Iterable):
+        raise UsageError(
+            f"sources is {type(sources).__name__}, not several pictures", remedy="[source], or reconstruct"
+        )
+    refuse_unknown(reconstruct, options)
+    jobs = None if jobs is None else checked_count("jobs", jobs)
+    timeout = None if timeout is None else checked_number("timeout", timeout, 1e-3)
+    max_memory = None if max_memory is None else checked_count("max_memory", max_memory)
+    return _results(enumerate(sources), jobs, timeout, max_memory, limits_of(limits), options)
+
+
+def _results(
+    numbered: Iterable[tuple[int, Any]],
+    jobs: int | None,
+    timeout: float | None,
+    max_memory: int | None,
+    limits: Limits,
+    options: dict[str, Any],
+) -> Iterator[Result]:
+    work = partial(_reconstruct, limits=limits, options=options)
     waiting: dict[int, Result] = {}
     turn = 0
     for (number, source), answer in run_each(numbered, work, jobs=jobs, timeout=timeout, max_memory=max_memory):

@@ -123,7 +123,7 @@ def _method_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("method")
     group.add_argument("--connector", metavar="NAME", default="auto", help="orders face vertices (default auto)")
     group.add_argument(
-        "--detector", choices=("auto", "both", "shi-tomasi", "harris"), default="auto",
+        "--detector", choices=("auto", "both", "shi-tomasi", "harris"), default="auto", type=_detector,
         help="corner detector that has to see the vertices found (default: both, where there is doubt)",
     )  # fmt: skip
     group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
@@ -200,6 +200,11 @@ def _unit(text: str) -> str:
 def _projection(text: str) -> str:
     """Isometric and its kin are axonometric: which angles a drawing has is told from the drawing."""
     return "axonometric" if text in ("isometric", "dimetric", "trimetric") else text
+
+
+def _detector(text: str) -> str:
+    """OpenCV's goodFeaturesToTrack is Shi-Tomasi."""
+    return "shi-tomasi" if text.lower() == "goodfeaturestotrack" else text
 
 
 def _seconds(text: str) -> float:

@@ -80,7 +80,7 @@ def methods() -> tuple[str, ...]:
 
 def find_method(name: str) -> Method:
     """The entry of that name. Raises UsageError with the nearest names otherwise."""
-    if name in _BY_NAME:
+    if isinstance(name, str) and name in _BY_NAME:
         return _BY_NAME[name]
     near = get_close_matches(str(name), _BY_NAME, n=1)
     hint = f" (did you mean {near[0]!r}?)" if near else ""

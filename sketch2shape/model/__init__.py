@@ -7,6 +7,7 @@ first pixel at (0, 0). Solid coordinates are right-handed: x right, y down, z aw
 from __future__ import annotations
 
 from sketch2shape.model.answer import TRUSTED, Answer
+from sketch2shape.model.arguments import checked_count, checked_number
 from sketch2shape.model.arrays import Bools, Brief, Floats, Gray, Ints, as_gray, brief
 from sketch2shape.model.boundary import (
     Boundary,
@@ -54,6 +55,8 @@ __all__ = [
     "TwoFaceObject",
     "as_gray",
     "brief",
+    "checked_count",
+    "checked_number",
     "polyhedron",
     "ring_edges",
     "to_picture",

@@ -56,8 +56,13 @@ class TwoFaceObject(Brief):
     page: Floats | None = None
 
     def __post_init__(self) -> None:
-        """Take lists and OpenCV's (n, 1, 2) too. Raises PointsError for what is no pair of rings."""
+        """Take lists and OpenCV's (n, 1, 2) too, and holes as (f1, f2). Raises PointsError for what is none."""
         _settle_rings(self)
+        try:
+            holes = tuple(hole if isinstance(hole, FacePair) else FacePair(*hole) for hole in self.holes)
+        except TypeError as error:
+            raise PointsError("a hole is a pair of rings", remedy="holes=(FacePair(f1, f2), ...)") from error
+        object.__setattr__(self, "holes", holes)
 
     @property
     def rings(self) -> tuple[FacePair, ...]:

@@ -9,8 +9,10 @@ from functools import wraps
 from inspect import Parameter, signature
 from typing import Any, TypeVar, cast
 
+from sketch2shape.corrections import Corrections, corrections_from
 from sketch2shape.errors import OptionError, UsageError
 from sketch2shape.lifting import LiftOptions
+from sketch2shape.reading import Limits
 
 Call = TypeVar("Call", bound=Callable[..., Any])
 
@@ -32,18 +34,42 @@ def lift_options_of(given: LiftOptions | Mapping[str, Any] | None) -> LiftOption
     return LiftOptions(**given)
 
 
+def limits_of(given: Limits | Mapping[str, Any] | None) -> Limits:
+    """The limits: themselves, made of their fields by name, or the defaults. Raises UsageError."""
+    if given is None:
+        return Limits()
+    if isinstance(given, Limits):
+        return given
+    names = [field.name for field in fields(Limits)]
+    if not isinstance(given, Mapping) or not set(given) <= set(names):
+        raise UsageError(f"limits is {given!r}", remedy=f"limits=sketch2shape.Limits(...) with {', '.join(names)}")
+    return Limits(**given)
+
+
+def corrections_of(given: Corrections | Mapping[str, Any] | None) -> Corrections | None:
+    """The corrections: themselves, or what their file holds. Raises UsageError."""
+    if given is None or isinstance(given, Corrections):
+        return given
+    return corrections_from(given)
+
+
+def refuse_unknown(function: Callable[..., Any], options: Iterable[str]) -> None:
+    """Raise OptionError for an option that the function does not have, and say where it belongs."""
+    parameters = signature(function).parameters
+    for name in options:
+        if name not in parameters:
+            belongs = name in {field.name for field in fields(LiftOptions)}
+            known = [own for own, p in parameters.items() if p.kind is Parameter.KEYWORD_ONLY]
+            remedy = f"lift=sketch2shape.LiftOptions({name}=...)" if belongs else _near(name, known)
+            raise OptionError(f"{function.__name__} has no option {name!r}", remedy=remedy)
+
+
 def explained(function: Call) -> Call:
-    """The function; given an option that it does not have, it says where that belongs (OptionError)."""
-    names = [name for name, p in signature(function).parameters.items() if p.kind is Parameter.KEYWORD_ONLY]
-    known = {*signature(function).parameters}
+    """The function; an option that it does not have is told where it belongs."""
 
     @wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
-        for name in options:
-            if name not in known:
-                belongs = name in {field.name for field in fields(LiftOptions)}
-                remedy = f"lift=sketch2shape.LiftOptions({name}=...)" if belongs else _near(name, names)
-                raise OptionError(f"{function.__name__} has no option {name!r}", remedy=remedy)
+        refuse_unknown(function, options)
         return function(*arguments, **options)
 
     return cast("Call", call)

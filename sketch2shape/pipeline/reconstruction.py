@@ -13,8 +13,8 @@ import numpy as np
 from sketch2shape.connectors import check_connector, connector_of
 from sketch2shape.errors import NoObjectError
 from sketch2shape.evidence import REFUSE_BELOW, SURE, calibrated, unexplained_strokes, vouched
-from sketch2shape.model import Answer, Floats, Ink, Picture, TwoFaceObject
-from sketch2shape.pipeline.options import explained, lift_options_of
+from sketch2shape.model import Answer, Floats, Ink, Picture, TwoFaceObject, checked_number
+from sketch2shape.pipeline.options import corrections_of, explained, lift_options_of, limits_of
 from sketch2shape.pipeline.result import Result
 from sketch2shape.pipeline.solid import Solid
 from sketch2shape.pipeline.solid import lift as lift_solid
@@ -33,9 +33,9 @@ def reconstruct(
     *,
     connector: str = "auto",
     detector: str = "auto",
-    limits: Limits | None = None,
+    limits: Limits | Mapping[str, Any] | None = None,
     lift: LiftOptions | Mapping[str, Any] | None = None,
-    corrections: Corrections | None = None,
+    corrections: Corrections | Mapping[str, Any] | None = None,
     min_confidence: float = 0.0,
 ) -> Result:
     """The solid shown in a drawing.
@@ -46,7 +46,7 @@ def reconstruct(
                   confidence falls; "auto" asks both where there is doubt
     limits      : what is refused before decoding
     lift        : how to read the third dimension: `LiftOptions`, or its fields by name
-    corrections : what a person put right by hand; complete ones replace the reading
+    corrections : what a person put right by hand, or the JSON of their file; complete ones replace the reading
     min_confidence : objects that are less sure are left out, 0..1
 
     Raises UsageError for an unknown option, connector or detector, UnreadableError, LimitError, or NoObjectError if no
@@ -60,8 +60,9 @@ def reconstruct(
     check_connector(connector)
     if detector != "auto":
         detector = detector_named(detector)
+    min_confidence = checked_number("min_confidence", min_confidence, 0.0, 1.0)
     timings: dict[str, float] = {}
-    options = lift_options_of(lift)
+    options, corrections, limits = lift_options_of(lift), corrections_of(corrections), limits_of(limits)
     with _timed(timings, "read"):
         picture = read_picture(source, limits, reduced=True)
     if corrections is not None and corrections.complete:

@@ -15,7 +15,7 @@ from sketch2shape import model
 from sketch2shape.errors import UsageError
 from sketch2shape.lifting import LiftOptions
 from sketch2shape.lifting import lift as lift_object
-from sketch2shape.model import TwoFaceObject
+from sketch2shape.model import TwoFaceObject, checked_count
 from sketch2shape.pipeline.options import lift_options_of
 
 if TYPE_CHECKING:
@@ -76,4 +76,14 @@ def lift(
     """
     if not isinstance(obj, TwoFaceObject):
         raise UsageError(f"lift takes a TwoFaceObject, not {type(obj).__name__}", remedy="TwoFaceObject(f1, f2)")
-    return Solid.of(lift_object(obj, picture_size=picture_size, options=lift_options_of(options)))
+    size = None if picture_size is None else _size(picture_size)
+    return Solid.of(lift_object(obj, picture_size=size, options=lift_options_of(options)))
+
+
+def _size(given: Any) -> tuple[int, int]:
+    """Width and height. Raises UsageError."""
+    try:
+        width, height = given
+    except (TypeError, ValueError):
+        raise UsageError(f"picture_size is {given!r}", remedy="picture_size=(width, height)") from None
+    return checked_count("picture_size", width), checked_count("picture_size", height)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from sketch2shape.errors import LimitError, UsageError
+from sketch2shape.model import checked_number
 
 #: Pillow refuses more by itself (twice its warning level), so that a higher limit could not be kept.
 _MOST_PIXELS = 178_956_970
@@ -25,6 +27,8 @@ class Limits:
 
     def __post_init__(self) -> None:
         """Refuse limits that cannot be kept."""
+        for name in ("max_pixels", "max_side", "max_bytes"):
+            checked_number(name, getattr(self, name), -math.inf)
         if not 0 < self.max_pixels <= _MOST_PIXELS:
             raise UsageError(f"a limit of {self.max_pixels} pixels", remedy=f"1 to {_MOST_PIXELS} pixels")
         if self.max_side < 1 or self.max_bytes < 1:

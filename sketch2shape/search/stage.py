@@ -18,7 +18,7 @@ from sketch2shape.evidence import Evidence, sheet_for
 from sketch2shape.hypotheses import Rings, caps, coincide, enclosed_regions
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.lifting import choose_front
-from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject, to_picture, to_working
+from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject, checked_count, to_picture, to_working
 from sketch2shape.search.attempts import GOOD, wire_hypotheses
 from sketch2shape.search.shortlist import MOST_HYPOTHESES, verified
 from sketch2shape.search.tolerances import Round, corner_graph, rounds_for, vertex_candidates
@@ -44,6 +44,7 @@ def separate_faces(
     there are none. Raises PointsError for corners that are no points, UnreadableError or LimitError for a picture that
     cannot be read.
     """
+    most = checked_count("most", most)
     ink = ink_of(source)
     if isinstance(corners, DetectedCorners):
         corners = corners.vertices

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from sketch2shape.ink import find_ink
-from sketch2shape.model import Ink, to_picture
+from sketch2shape.model import Ink, checked_number, to_picture
 from sketch2shape.strokes.skeleton import thin
 from sketch2shape.strokes.tracing import Strokes, trace_skeleton
 
@@ -41,7 +41,9 @@ def drawn_strokes(ink: Ink, tolerance: float) -> Strokes:
 
 def working_tolerance(ink: Ink, tolerance: float | None) -> float:
     """A tolerance given in picture pixels, or that of ruled lines, in working pixels."""
-    return max(TOLERANCE, BLUNT * ink.pen_width) if tolerance is None else tolerance * ink.scale
+    if tolerance is None:
+        return max(TOLERANCE, BLUNT * ink.pen_width)
+    return checked_number("tolerance", tolerance, 0.0) * ink.scale
 
 
 def ink_of(source: Any) -> Ink:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import subprocess
 import sys
 
+from sketch2shape.batch import pool
+from sketch2shape.processes import contexts
+
 _ALLOCATE = """
 from sketch2shape.batch.worker import limit_memory
 limit_memory({allowance})
@@ -41,3 +44,30 @@ def test_the_first_picture_of_a_worker_waits_for_no_import(drawings, tmp_path):
     code = _CONVERT.format(source=str(drawings / "clean_wire_oblique" / "000.png"), out=str(tmp_path / "a.obj"))
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout.strip()) == (0, ""), done.stderr
+
+
+def test_systems_that_lack_a_function_do_without(monkeypatch):
+    """As on Windows: no limits on memory, no timer of computing time; neither is a reason to stop."""
+    import os
+    import signal
+
+    from sketch2shape.batch import worker
+
+    monkeypatch.setitem(sys.modules, "resource", None)
+    worker.limit_memory(2**20)
+    monkeypatch.setattr(worker, "HAS_TIMER", False)
+    monkeypatch.setattr(signal, "setitimer", None)
+    with worker.limited_time(0.001):
+        sum(range(10**6))
+    monkeypatch.setattr(worker.sys, "platform", "win32")
+    worker.die_with_parent()
+    monkeypatch.delattr(os, "sched_getaffinity", raising=False)
+    assert pool.default_jobs() >= 1
+
+
+def test_without_a_fork_server_workers_are_spawned(monkeypatch):
+    monkeypatch.setattr(contexts, "_WORKING", {})
+    monkeypatch.setattr(contexts.multiprocessing, "get_all_start_methods", lambda: ["spawn"])
+    told = []
+    assert dict(pool.run_each([-1, 2], abs, jobs=1, timeout=60.0, notice=told.append)) == {-1: 1, 2: 2}
+    assert told == []

@@ -84,6 +84,7 @@ def test_short_options_and_other_names_of_values():
     arguments = parse(["a.png", "-q", "-f", "stl", "--unit", "Inches", "--projection", "isometric"])
     assert (arguments.quiet, arguments.format) == (True, ["stl"])
     assert (arguments.unit, arguments.projection) == ("in", "axonometric")
+    assert parse(["a.png", "--detector", "goodFeaturesToTrack"]).detector == "shi-tomasi"
 
 
 def test_the_formats_listed_are_all_formats(capsys, tmp_path, monkeypatch):
