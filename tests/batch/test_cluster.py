@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import pytest
 import stand_in
@@ -20,12 +21,14 @@ from sketch2shape.errors import MissingPackageError, UsageError
 
 pytest.importorskip("distributed")
 
+ROOT = Path(__file__).parents[2]
+
 
 @pytest.fixture
 def cluster(tmp_path):
     """Address of a scheduler, and its two workers."""
     note = tmp_path / "scheduler.json"
-    environment = {**os.environ, "PYTHONPATH": os.path.dirname(stand_in.__file__)}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([os.path.dirname(stand_in.__file__), str(ROOT)])}
     common = ["--scheduler-file", str(note), "--no-dashboard"]
     quiet = {"env": environment, "cwd": tmp_path, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     dask = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0"]
