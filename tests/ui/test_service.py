@@ -16,10 +16,10 @@ from starlette.testclient import TestClient
 from sketch2shape import __version__
 from sketch2shape.export import FORMATS
 from sketch2shape.pipeline.products import SUFFIXES
+from sketch2shape.ui.api import create_service
 from sketch2shape.ui.form import file_of
 from sketch2shape.ui.guard import Refusal
 from sketch2shape.ui.openapi import MEDIA, OPTIONS
-from sketch2shape.ui.service import create_service
 
 PNG = {"Content-Type": "image/png"}
 
