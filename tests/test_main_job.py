@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from evaluation import metrics
-from sketch2shape.pipeline.report import report
 from sketch2shape.errors import NoObjectError
 from sketch2shape.pipeline import reconstruct
+from sketch2shape.pipeline.report import report
 
 
 def test_hard_drawings_are_answered_with_a_good_mesh_or_refused(hard_drawing):
