@@ -67,7 +67,7 @@ class Solid(Brief):
     up: Literal["z", "y", "camera"] = "z"
     camera: Floats | None = None
     confidence: float = 1.0
-    alternatives: tuple[Alternative, ...] = ()
+    alternatives: tuple[Alternative, ...] = field(default=(), repr=False)
 
     @property
     def vertices(self) -> Floats:

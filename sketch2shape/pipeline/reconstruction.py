@@ -72,15 +72,30 @@ def reconstruct(
         ink = find_ink(picture)
     with _timed(timings, "faces"):
         objects = tuple(choose_front(_as_object(f, ink, connector, detector)) for f in find_all(ink))
-    sure = tuple(o for o in objects if o.confidence >= max(REFUSE_BELOW, min_confidence))
+    sure = tuple(o for o in objects if o.confidence >= REFUSE_BELOW)
     if not sure:
-        raise _why_not(objects, ink, picture, min_confidence)
+        raise _why_not(objects, ink, picture)
     with _timed(timings, "lift"):
         solids = tuple(
             lift_solid(o, picture_size=picture.size, options=lift_options(corrections, k, options))
             for k, o in enumerate(sure)
         )
-    return Result(sure, solids, picture, timings)
+    return _sure_enough(Result(sure, solids, picture, timings), min_confidence)
+
+
+def _sure_enough(result: Result, min_confidence: float) -> Result:
+    """The result without objects, or solids, that are less sure. Raises NoObjectError if none is left."""
+    kept = [k for k, confidence in enumerate(result.confidences) if confidence >= min_confidence]
+    if not kept:
+        best = max(result.confidences)
+        error = NoObjectError(
+            f"the best two-face object has confidence {best:.2f}, {min_confidence:g} was asked for",
+            remedy="put it right by hand with sketch2shape ui, or a lower --min-confidence",
+        )
+        error.guess = Answer(result.objects, result.solids, result.picture, error=error)
+        raise error
+    objects, solids = tuple(result.objects[k] for k in kept), tuple(result.solids[k] for k in kept)
+    return replace(result, objects=objects, solids=solids)
 
 
 @contextmanager
@@ -111,24 +126,18 @@ def _confidence(found: Found, ink: Ink, detector: str) -> float:
     return calibrated(score)
 
 
-def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink, picture: Picture, min_confidence: float) -> NoObjectError:
+def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink, picture: Picture) -> NoObjectError:
     """The error that says what is missing, with the best guess there was."""
     if not ink.mask.any():
         return NoObjectError("the picture is blank: no ink was found")
     if not objects:
         return NoObjectError("no two faces joined by connecting edges were found")
-    best = max(objects, key=lambda o: o.confidence)
-    if best.confidence >= REFUSE_BELOW:
-        error = NoObjectError(
-            f"the best two-face object has confidence {best.confidence:.2f}, {min_confidence:g} was asked for",
-            remedy="put it right by hand with sketch2shape ui, or a lower --min-confidence",
-        )
-    else:
-        left_out = unexplained_strokes(ink, objects)
-        which = f"; not explained: {_stroke(left_out[0])}" if len(left_out) else ""
-        more = f" and {len(left_out) - 1} more" if len(left_out) > 1 else ""
-        what = "the best two-face object explains the drawing too badly"
-        error = NoObjectError(f"{what} (confidence {best.confidence:.2f}{which}{more})")
+    best = max(o.confidence for o in objects)
+    left_out = unexplained_strokes(ink, objects)
+    which = f"; not explained: {_stroke(left_out[0])}" if len(left_out) else ""
+    more = f" and {len(left_out) - 1} more" if len(left_out) > 1 else ""
+    what = "the best two-face object explains the drawing too badly"
+    error = NoObjectError(f"{what} (confidence {best:.2f}{which}{more})")
     error.guess = Answer(objects, tuple(map(lift_solid, objects)), picture, error=error)
     return error
 

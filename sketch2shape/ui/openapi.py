@@ -32,7 +32,9 @@ OPTIONS = {
     "projection": ("string", "auto, oblique, axonometric or perspective"),
     "width": ("string", "real width, as 40mm"),
     "height": ("string", "real height"),
-    "depth": ("string", "real distance between the two faces"),
+    "depth": ("string", "real size from front to back"),
+    "fit": ("string", "the largest size of the solid, as 50mm"),
+    "up": ("string", "the axis upward, z or y, or camera for the picture's frame"),
     "unit": ("string", "unit of length: px, mm, cm, m or in"),
     "min_confidence": ("number", "leave out objects that are less sure, 0 to 1"),
 }

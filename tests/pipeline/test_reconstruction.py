@@ -31,7 +31,7 @@ def test_a_box_becomes_a_watertight_box(lines):
 
 def test_less_sure_objects_are_left_out_if_asked():
     picture = prism(SQUARE, SQUARE + DEPTH)
-    sure = s2s.reconstruct(picture).objects[0].confidence
+    sure = s2s.reconstruct(picture).confidences[0]
     assert len(s2s.reconstruct(picture, min_confidence=sure).objects) == 1
     with pytest.raises(s2s.NoObjectError, match="1 was asked for"):
         s2s.reconstruct(picture, min_confidence=1.0)
