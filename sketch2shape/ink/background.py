@@ -15,7 +15,8 @@ import numpy as np
 from sketch2shape.ink.histogram import counts_of
 from sketch2shape.ink.noise import noise_of
 from sketch2shape.ink.resampling import averaged, halved
-from sketch2shape.model import Floats, Gray, as_gray
+from sketch2shape.ink.tones import read_tones
+from sketch2shape.model import Bools, Floats, Gray, as_gray
 
 LONG_SIDE = 1100
 """Long side of the working size for large pictures, pixels."""
@@ -46,6 +47,7 @@ class Ground:
     clean    : without noise and grain: most pixels have exactly the colour of the ground
     noise    : standard deviation of `contrast` on the paper
     scale    : working pixels per picture pixel
+    borders  : (h, w) bool, where flat areas of different tones meet, or None where there is one tone; see `Tones`
     """
 
     contrast: Gray
@@ -53,12 +55,16 @@ class Ground:
     clean: bool
     noise: float
     scale: float
+    borders: Bools | None = None
 
 
 def read_ground(pixels: Gray) -> Ground:
     """Bring (h, w, 3) RGB pixels to working size and measure their contrast against the paper."""
     coloured = _is_coloured(pixels)
     seen, scale = at_working_size(pixels if coloured else _gray(pixels))
+    tones = read_tones(seen)
+    if tones is not None:
+        return Ground(tones.contrast, None, True, 0.0, scale, tones.borders)
     gray = _gray(seen) if coloured else seen
     ground = _frame_level(gray)
     levels = counts_of(gray[::4])

@@ -24,6 +24,7 @@ from sketch2shape.ink.histogram import percentile
 from sketch2shape.ink.noise import noise_of, paper_marks, without_bands
 from sketch2shape.ink.page import find_page, page_homography
 from sketch2shape.ink.pen_width import FINE, pen_width_of, rough_pen_width
+from sketch2shape.ink.tones import with_borders
 from sketch2shape.model import Bools, Floats, Gray, Ink, Picture, as_gray
 from sketch2shape.reading import read_picture
 
@@ -64,18 +65,23 @@ def find_ink(source: Any) -> Ink:
     mask, strength = np.zeros(contrast.shape, np.bool_), np.zeros_like(contrast)
     diagonal = float(np.hypot(*contrast.shape))
     drawn_on = _above(contrast, floor)
+    if ground.borders is not None:
+        drawn_on |= ground.borders.view(np.uint8)
     frame = _frame(drawn_on if ground.clean else _without_specks(drawn_on), MARGIN * diagonal)
     if frame is None:
         return Ink(mask=mask, strength=strength, pen_width=1.0, scale=scale, page=page)
     part = np.ascontiguousarray(contrast[frame])
     if not ground.clean:
         part = without_stains(part, floor, diagonal)
-    part = without_fills(part, floor, diagonal)
+    if ground.borders is None:
+        part = without_fills(part, floor, diagonal)
     ringing = ringing_of(part)
     weakest = WEAKEST if marks == floor else 1.0
     drawn = ink_mask(part, floor, ringing, weakest)
     if not ground.clean:
         drawn = with_weak_places(drawn, part, weakest * floor)
+    if ground.borders is not None:
+        drawn = with_borders(drawn, np.ascontiguousarray(ground.borders[frame]))
     drawn = without_hatching(drawn, diagonal)
     drawn = without_clutter(drawn, part, noisy=ringing > 0.0 or noise > 0.5)
     pen_width = pen_width_of(drawn)
