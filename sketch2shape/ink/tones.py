@@ -13,34 +13,49 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from sketch2shape.ink.components import connected_pieces
 from sketch2shape.model import Bools, Gray, Ints, as_gray
 
-FLAT = 3
-"""Greatest difference among a pixel and its eight neighbours within an area, levels; JPEG of quality 75 keeps it."""
-DIGITAL = 0.75
-"""Share of flat pixels from which a picture was drawn by a program."""
+SMOOTH = 5
+"""Side of the box of the median that takes hairlines and the noise of JPEG off the areas, pixels."""
+CALM = 2
+"""Greatest difference among a pixel and its eight neighbours where neither light nor a hand has left its noise ..."""
+DIGITAL = 0.72
+"""... and share of such pixels from which a picture was drawn by a program; photos of drawings have less, levels."""
+FLAT = 5
+"""The same within an area, of the smoothed picture."""
+EVEN = 1
+"""The same within an area of one tone: it parts tones that differ by little, but not a graded one ..."""
+MOST_EVEN = 0.6
+"""... of which less than this share is so."""
 WIDE = 0.01
 """Areas hold a square with this share of the diagonal as its side; what is narrower is a stroke."""
-STEP = 6
+STEP = 5
 """Least difference of two tones whose border is an edge, levels."""
 LEAST_AREA = 0.002
 """Least share of the picture that an area fills: vertex dots, arrow heads and letters are smaller."""
 NARROW = 0.04
 """Strokes are narrower than this share of the diagonal ..."""
 BROAD = 0.12
-"""... or than this, if they are closed and long: an icon of a thick pen."""
-LONG = 8.0
-"""Area over the squared width, from which an area is long."""
+"""... or than this, if they are long: an icon of a thick pen."""
+LONG = 16.0
+"""Area over the squared mean width, from which an area is long; of a frame twice as wide as its hole it is 12."""
 ALL = 0.9
 """Share of a stroke that lies on one tone, at least."""
 REACH = 9
 """Side of the box in which a pixel can be a mixture of two tones: twice what resampling blurs, pixels."""
-RINGING = 0.25
-"""Share of the step between two tones up to which what lies beyond them is ringing or the tip of a wedge."""
+FAINTER = 0.5
+"""Share of the step between two tones up to which what lies beyond them is blur or the tip of a wedge, no stroke."""
+BLOCK = 17
+"""Side of the box in which JPEG rings around a step: two of its blocks, pixels ..."""
+RINGING = 0.15
+"""... and the height of that as a share of the step."""
 BORDER = 3
 """Width of the ink along a border without a stroke, pixels ..."""
 BESIDE = 5
-"""... and side of the box around its pixels in which there must be no stroke."""
+"""... side of the box around its pixels in which there must be no stroke ..."""
+SPECK = 8
+"""... and greatest diagonal of what JPEG leaves of a stroke there, half a block and a half, pixels."""
 
 
 @dataclass(frozen=True)
@@ -62,12 +77,13 @@ def read_tones(seen: Gray) -> Tones | None:
     """
     if not _may_have_tones(seen):
         return None
-    areas = _areas(seen)
+    smooth = as_gray(cv2.medianBlur(seen, SMOOTH))
+    steps = _range(smooth)
+    areas = _areas(smooth, steps)
     if areas is None:
         return None
-    owner, tone = _spread(areas, seen)
-    borders = _borders(owner, tone)
-    return Tones(_off(seen, tone), borders) if borders.any() else None
+    contrast, tone = _off(seen, _spread(areas > 0, _parted(areas, smooth, steps)))
+    return Tones(contrast, _borders(tone))
 
 
 def _channels(plane: Gray) -> Gray:
@@ -83,7 +99,7 @@ def _may_have_tones(seen: Gray) -> bool:
     """A cheap look: most pixels are flat in a sample of rows, and something wide has not the commonest level."""
     rows = len(seen) // 24 * 24
     strips = seen[:rows].reshape(-1, 24, *seen.shape[1:])[:, 8:13].reshape(-1, *seen.shape[1:]) if rows else seen
-    return bool(np.count_nonzero(_range(strips) <= FLAT) > DIGITAL * strips.shape[0] * strips.shape[1])
+    return bool(np.count_nonzero(_range(strips) <= CALM) > DIGITAL * strips.shape[0] * strips.shape[1])
 
 
 def _box(size: float) -> Gray:
@@ -91,9 +107,12 @@ def _box(size: float) -> Gray:
     return np.ones((side, side), np.uint8)
 
 
-def _areas(seen: Gray) -> Ints | None:
-    """(h, w) number of the flat area that each pixel belongs to, 0 in none; None if there are less than two."""
-    flat = as_gray(_range(seen) <= FLAT)
+def _areas(smooth: Gray, steps: Gray) -> Ints | None:
+    """(h, w) number of the wide flat area that each pixel belongs to, 0 in none; None if they have one tone.
+
+    steps : (h, w) greatest difference among a pixel and its neighbours
+    """
+    flat = as_gray(steps <= FLAT)
     diagonal = float(np.hypot(*flat.shape))
     core = cv2.erode(flat, _box(WIDE * diagonal), borderType=cv2.BORDER_CONSTANT, borderValue=1)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(flat, connectivity=4)
@@ -101,22 +120,56 @@ def _areas(seen: Gray) -> Ints | None:
     kept[labels[core > 0]] = True
     kept &= stats[:, cv2.CC_STAT_AREA] > LEAST_AREA * flat.size
     kept[0] = False
+    if not _differ(smooth, labels, np.flatnonzero(kept)):
+        return None
     shapes = {label: _shape(labels, stats[label].tolist(), label) for label in np.flatnonzero(kept).tolist()}
     doubtful = [
         label
-        for label, (width, long, closed) in shapes.items()
-        if width < NARROW * diagonal or (width < BROAD * diagonal and long and closed)
+        for label, (width, long, _) in shapes.items()
+        if width < NARROW * diagonal or (width < BROAD * diagonal and long)
     ]
     if doubtful:
         kept[doubtful] = False
         if not kept.any():
             return None
-        _, tone = _spread(np.where(kept[labels], labels, 0), seen)
+        tone = _spread(kept[labels], smooth)
         for label in doubtful:
             width, _, closed = shapes[label]
             plain = _is_plain(tone, labels == label)
             kept[label] = not (plain or (closed and width < NARROW * diagonal))
-    return np.where(kept[labels], labels, 0) if np.count_nonzero(kept) > 1 else None
+        if not _differ(smooth, labels, np.flatnonzero(kept)):
+            return None
+    return np.where(kept[labels], labels, 0)
+
+
+def _parted(areas: Ints, smooth: Gray, steps: Gray) -> Gray:
+    """The smoothed picture with one tone on each side where an area has several that differ by little."""
+    even = as_gray(cv2.morphologyEx(as_gray(steps <= EVEN), cv2.MORPH_OPEN, np.ones((SMOOTH, SMOOTH), np.uint8)))
+    even[areas == 0] = 0
+    count, parts, stats, _ = cv2.connectedComponentsWithStats(even, connectivity=4)
+    large = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] > LEAST_AREA * even.size)[1:]
+    whole = np.bincount(areas.ravel())
+    calm = np.bincount(areas[even > 0], minlength=len(whole)) > MOST_EVEN * whole
+    of_area: dict[int, list[int]] = {}
+    for part in large.tolist():
+        x, y = stats[part, :2].tolist()
+        row = parts[y, x : x + int(stats[part, cv2.CC_STAT_WIDTH])]
+        of_area.setdefault(int(areas[y, x + int(np.argmax(row == part))]), []).append(part)
+    several = [a for a, own in of_area.items() if calm[a] and _differ(smooth, parts, np.array(own))]
+    if not several:
+        return smooth
+    kept = np.zeros(count, np.bool_)
+    kept[[part for a in several for part in of_area[a]]] = True
+    within = np.isin(areas, several)
+    result = smooth.copy()
+    result[within] = _spread(kept[parts], smooth)[within]
+    return result
+
+
+def _differ(seen: Gray, labels: Ints, areas: Ints) -> bool:
+    """Some areas have tones that differ."""
+    tones = np.array([cv2.mean(seen, as_gray(labels == area))[:3] for area in areas.tolist()])
+    return len(tones) > 1 and float(np.ptp(tones, axis=0).max()) >= STEP
 
 
 def _shape(labels: Ints, stats: list[int], label: int) -> tuple[float, bool, bool]:
@@ -126,7 +179,8 @@ def _shape(labels: Ints, stats: list[int], label: int) -> tuple[float, bool, boo
     padded = as_gray(cv2.copyMakeBorder(part, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0))
     width = 2.0 * float(cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5).max())
     contours, _ = cv2.findContours(padded, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
-    return width, area > LONG * width**2, len(contours) > 1
+    mean_width = 2.0 * area / sum(cv2.arcLength(c, True) for c in contours)
+    return width, area > LONG * mean_width**2, len(contours) > 1
 
 
 def _is_plain(tone: Gray, part: Bools) -> bool:
@@ -136,33 +190,34 @@ def _is_plain(tone: Gray, part: Bools) -> bool:
     return bool(np.count_nonzero(off < STEP) > ALL * len(own))
 
 
-def _spread(areas: Ints, seen: Gray) -> tuple[Ints, Gray]:
-    """Number and tone of the area that is nearest to each pixel."""
-    seed = areas > 0
+def _spread(seed: Bools, seen: Gray) -> Gray:
+    """The picture with the tone of the nearest area all over."""
     _, labels = cv2.distanceTransformWithLabels(
         as_gray(~seed), cv2.DIST_L2, cv2.DIST_MASK_5, labelType=cv2.DIST_LABEL_PIXEL
     )
     where = np.flatnonzero(seed)
     index = np.zeros(int(labels.max()) + 1, np.intp)
     index[labels.ravel()[where]] = where
-    nearest = index[labels]
-    pixels = seen.reshape(seed.size, -1)
-    return areas.ravel()[nearest], as_gray(pixels[nearest.ravel()].reshape(seen.shape))
+    return as_gray(seen.reshape(seed.size, -1)[index[labels.ravel()]].reshape(seen.shape))
 
 
-def _borders(owner: Ints, tone: Gray) -> Bools:
-    """(h, w) pixels beside another area of another tone."""
-    border = np.zeros(owner.shape, np.uint8)
+def _borders(tone: Gray) -> Bools:
+    """(h, w) pixels with another tone to the right or below."""
+    border = np.zeros(tone.shape[:2], np.bool_)
     for a, b in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
-        ys, xs = np.nonzero(owner[a] != owner[b])
-        step = np.abs(tone[a][ys, xs].astype(np.int16) - tone[b][ys, xs]).reshape(len(ys), -1).max(axis=1, initial=0)
-        border[ys[step >= STEP], xs[step >= STEP]] = 1
-    return np.asarray(border > 0, np.bool_)
+        border[a] |= _channels(as_gray(cv2.absdiff(tone[a], tone[b]))) >= STEP
+    return border
 
 
-def _off(seen: Gray, tone: Gray) -> Gray:
-    """How far each pixel is from the tone of its area; near others from all mixtures of both, less their ringing."""
+def _off(seen: Gray, tone: Gray) -> tuple[Gray, Gray]:
+    """How far each pixel is from the tone of its area; near others from all mixtures of both, less their ringing.
+
+    tone    : of the nearest area
+    returns : that, and the tone with each pixel near a border on the side that its colour is closer to
+    """
     off = _channels(as_gray(cv2.absdiff(seen, tone)))
+    ringing = _channels(_contrast_within(tone, BLOCK))
+    off[off < as_gray(cv2.convertScaleAbs(ringing, alpha=RINGING))] = 0
     box = np.ones((REACH, REACH), np.uint8)
     low, high = as_gray(cv2.erode(tone, box)), as_gray(cv2.dilate(tone, box))
     near = _channels(as_gray(cv2.subtract(high, low))) >= STEP
@@ -171,9 +226,16 @@ def _off(seen: Gray, tone: Gray) -> Gray:
     step = np.where(most - own > own - least, most - own, least - own)  # to the other tone
     share = ((colour - own) * step).sum(axis=1) / (step * step).sum(axis=1)
     mixed = own + np.clip(share, 0.0, 1.0)[:, None] * step
-    beyond = np.abs(colour - mixed).max(axis=1) - RINGING * np.abs(step).max(axis=1)
-    off[near] = np.clip(beyond, 0.0, 255.0).astype(np.uint8)
-    return off
+    beyond = np.abs(colour - mixed).max(axis=1)
+    off[near] = np.where(beyond < FAINTER * np.abs(step).max(axis=1), 0.0, beyond).astype(np.uint8)
+    sided = tone.copy()
+    sided[near] = (own + (share > 0.5)[:, None] * step).astype(np.uint8).reshape(sided[near].shape)
+    return off, as_gray(cv2.medianBlur(sided, 5))
+
+
+def _contrast_within(tone: Gray, side: int) -> Gray:
+    """Difference between the highest and the lowest tone in a box around each pixel."""
+    return as_gray(cv2.morphologyEx(tone, cv2.MORPH_GRADIENT, np.ones((side, side), np.uint8)))
 
 
 def with_borders(drawn: Bools, borders: Bools) -> Bools:
@@ -182,6 +244,14 @@ def with_borders(drawn: Bools, borders: Bools) -> Bools:
     drawn   : (h, w) ink of strokes
     borders : (h, w) see `Tones`
     """
+    beside = _grown(borders, BESIDE)
+    pieces = connected_pieces(drawn.view(np.uint8))
+    specks = pieces.extent < SPECK
+    specks[0] = False
+    if specks.any():
+        at_border = np.zeros(len(specks), np.bool_)
+        at_border[pieces.piece[beside.ravel()[pieces.where]]] = True
+        drawn = pieces.only(~(specks & at_border))
     free = borders & ~_grown(drawn, BESIDE)
     free = borders & _grown(free, BESIDE + 4)  # up to the middle of the stroke that it ends at
     return drawn | _grown(free, BORDER)
