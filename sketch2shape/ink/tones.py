@@ -25,13 +25,21 @@ DIGITAL = 0.72
 FLAT = 5
 """The same within an area, of the smoothed picture."""
 EVEN = 1
-"""The same within an area of one tone: it parts tones that differ by little, but not a graded one ..."""
-MOST_EVEN = 0.6
-"""... of which less than this share is so."""
+"""Greatest difference from the commonest colours of an area that has few of them, levels ..."""
+MOST_EVEN = 0.75
+"""... share of an area that is so, if its tone is not graded (of which it is three fifths) ..."""
+LEAST_PART = 0.02
+"""... and least share that each of its tones has."""
+SAMPLED = 3
+"""Every so manyeth pixel tells the tones of an area."""
+CLEANED = 7
+"""Side of the box of the median that takes single pixels of one tone out of another, pixels."""
 WIDE = 0.01
 """Areas hold a square with this share of the diagonal as its side; what is narrower is a stroke."""
-STEP = 5
-"""Least difference of two tones whose border is an edge, levels."""
+STEP = 6
+"""Least difference of two tones, levels ..."""
+BORDER_STEP = 4
+"""... and of the pixels on both sides of their border."""
 LEAST_AREA = 0.002
 """Least share of the picture that an area fills: vertex dots, arrow heads and letters are smaller."""
 NARROW = 0.04
@@ -82,7 +90,7 @@ def read_tones(seen: Gray) -> Tones | None:
     areas = _areas(smooth, steps)
     if areas is None:
         return None
-    contrast, tone = _off(seen, _spread(areas > 0, _parted(areas, smooth, steps)))
+    contrast, tone = _off(seen, smooth, _spread(areas > 0, _parted(areas, smooth)))
     return Tones(contrast, _borders(tone))
 
 
@@ -130,40 +138,56 @@ def _areas(smooth: Gray, steps: Gray) -> Ints | None:
     ]
     if doubtful:
         kept[doubtful] = False
-        if not kept.any():
+        wide = np.flatnonzero(kept).tolist()
+        if not wide:
             return None
         tone = _spread(kept[labels], smooth)
         for label in doubtful:
             width, _, closed = shapes[label]
-            plain = _is_plain(tone, labels == label)
-            kept[label] = not (plain or (closed and width < NARROW * diagonal))
+            drawn = _is_plain(tone, labels == label) or (closed and width < NARROW * diagonal)
+            kept[label] = not drawn or not all(_differ(smooth, labels, np.array([a, label])) for a in wide)
         if not _differ(smooth, labels, np.flatnonzero(kept)):
             return None
     return np.where(kept[labels], labels, 0)
 
 
-def _parted(areas: Ints, smooth: Gray, steps: Gray) -> Gray:
+def _parted(areas: Ints, smooth: Gray) -> Gray:
     """The smoothed picture with one tone on each side where an area has several that differ by little."""
-    even = as_gray(cv2.morphologyEx(as_gray(steps <= EVEN), cv2.MORPH_OPEN, np.ones((SMOOTH, SMOOTH), np.uint8)))
-    even[areas == 0] = 0
-    count, parts, stats, _ = cv2.connectedComponentsWithStats(even, connectivity=4)
-    large = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] > LEAST_AREA * even.size)[1:]
-    whole = np.bincount(areas.ravel())
-    calm = np.bincount(areas[even > 0], minlength=len(whole)) > MOST_EVEN * whole
-    of_area: dict[int, list[int]] = {}
-    for part in large.tolist():
-        x, y = stats[part, :2].tolist()
-        row = parts[y, x : x + int(stats[part, cv2.CC_STAT_WIDTH])]
-        of_area.setdefault(int(areas[y, x + int(np.argmax(row == part))]), []).append(part)
-    several = [a for a, own in of_area.items() if calm[a] and _differ(smooth, parts, np.array(own))]
-    if not several:
-        return smooth
-    kept = np.zeros(count, np.bool_)
-    kept[[part for a in several for part in of_area[a]]] = True
-    within = np.isin(areas, several)
-    result = smooth.copy()
-    result[within] = _spread(kept[parts], smooth)[within]
-    return result
+    result = smooth
+    colours = smooth.reshape(areas.size, -1)
+    order = np.argsort(areas.ravel()[::SAMPLED], kind="stable") * SAMPLED
+    numbers, starts = np.unique(areas.ravel()[order], return_index=True)
+    for number, sample in zip(numbers.tolist(), np.split(order, starts[1:]), strict=True):
+        tones = _tones_of(colours[sample]) if number else []
+        if len(tones) < 2:
+            continue
+        where = np.flatnonzero(areas == number)
+        own = colours[where].astype(np.int16)
+        off = np.stack([np.abs(own - tone).max(axis=1) for tone in tones])
+        result = result.copy() if result is smooth else result
+        result.reshape(areas.size, -1)[where] = np.array(tones, np.uint8)[off.argmin(axis=0)]
+    return result if result is smooth else as_gray(cv2.medianBlur(result, CLEANED))
+
+
+def _tones_of(colours: Gray) -> list[Ints]:
+    """Tones, the commonest first, of which nearly all of (n, 1 or 3) colours are; none where they change gradually."""
+    own = colours.astype(np.intp)
+    packed = own @ (256 ** np.arange(own.shape[1]))
+    _, first, counts = np.unique(packed, return_index=True, return_counts=True)
+    found, held = own[first], counts.astype(np.float64)
+    tones: list[Ints] = []
+    free = np.ones(len(found), np.bool_)
+    explained = 0.0
+    while free.any():
+        tone = found[np.argmax(np.where(free, held, 0.0))]
+        off = np.abs(found - tone).max(axis=1)
+        part = float(held[free & (off <= EVEN)].sum())
+        if part < LEAST_PART * len(own):
+            break
+        tones.append(tone)
+        explained += part
+        free &= off >= STEP
+    return tones if explained > MOST_EVEN * len(own) else []
 
 
 def _differ(seen: Gray, labels: Ints, areas: Ints) -> bool:
@@ -205,11 +229,11 @@ def _borders(tone: Gray) -> Bools:
     """(h, w) pixels with another tone to the right or below."""
     border = np.zeros(tone.shape[:2], np.bool_)
     for a, b in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
-        border[a] |= _channels(as_gray(cv2.absdiff(tone[a], tone[b]))) >= STEP
+        border[a] |= _channels(as_gray(cv2.absdiff(tone[a], tone[b]))) >= BORDER_STEP
     return border
 
 
-def _off(seen: Gray, tone: Gray) -> tuple[Gray, Gray]:
+def _off(seen: Gray, smooth: Gray, tone: Gray) -> tuple[Gray, Gray]:
     """How far each pixel is from the tone of its area; near others from all mixtures of both, less their ringing.
 
     tone    : of the nearest area
@@ -220,17 +244,21 @@ def _off(seen: Gray, tone: Gray) -> tuple[Gray, Gray]:
     off[off < as_gray(cv2.convertScaleAbs(ringing, alpha=RINGING))] = 0
     box = np.ones((REACH, REACH), np.uint8)
     low, high = as_gray(cv2.erode(tone, box)), as_gray(cv2.dilate(tone, box))
-    near = _channels(as_gray(cv2.subtract(high, low))) >= STEP
+    near = _channels(as_gray(cv2.subtract(high, low))) >= BORDER_STEP
     count = int(np.count_nonzero(near))
-    colour, own, least, most = (p[near].reshape(count, -1).astype(np.float32) for p in (seen, tone, low, high))
+    colour, even, own, least, most = (
+        p[near].reshape(count, -1).astype(np.float32) for p in (seen, smooth, tone, low, high)
+    )
     step = np.where(most - own > own - least, most - own, least - own)  # to the other tone
-    share = ((colour - own) * step).sum(axis=1) / (step * step).sum(axis=1)
+    length = (step * step).sum(axis=1)
+    share = ((colour - own) * step).sum(axis=1) / length
     mixed = own + np.clip(share, 0.0, 1.0)[:, None] * step
     beyond = np.abs(colour - mixed).max(axis=1)
     off[near] = np.where(beyond < FAINTER * np.abs(step).max(axis=1), 0.0, beyond).astype(np.uint8)
+    other = ((even - own) * step).sum(axis=1) > 0.5 * length
     sided = tone.copy()
-    sided[near] = (own + (share > 0.5)[:, None] * step).astype(np.uint8).reshape(sided[near].shape)
-    return off, as_gray(cv2.medianBlur(sided, 5))
+    sided[near] = (own + other[:, None] * step).astype(np.uint8).reshape(sided[near].shape)
+    return off, as_gray(cv2.medianBlur(sided, SMOOTH))
 
 
 def _contrast_within(tone: Gray, side: int) -> Gray:
@@ -244,7 +272,7 @@ def with_borders(drawn: Bools, borders: Bools) -> Bools:
     drawn   : (h, w) ink of strokes
     borders : (h, w) see `Tones`
     """
-    beside = _grown(borders, BESIDE)
+    beside = _grown(borders, REACH)
     pieces = connected_pieces(drawn.view(np.uint8))
     specks = pieces.extent < SPECK
     specks[0] = False
