@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.ink.components import connected_pieces
+from sketch2shape.ink.histogram import counts_of
 from sketch2shape.model import Bools, Gray, Ints, as_gray
 
 SMOOTH = 5
@@ -40,8 +41,12 @@ STEP = 6
 """Least difference of two tones, levels ..."""
 BORDER_STEP = 4
 """... and of the pixels on both sides of their border."""
+COARSE = 4
+"""Every so manyeth row and column tells whether there may be any, and where ..."""
+RIM = 32
+"""... within this many pixels: hairlines may slip through."""
 LEAST_AREA = 0.002
-"""Least share of the picture that an area fills: vertex dots, arrow heads and letters are smaller."""
+"""Least share of the part that is drawn on that an area fills: vertex dots, arrow heads and letters are smaller."""
 NARROW = 0.04
 """Strokes are narrower than this share of the diagonal ..."""
 BROAD = 0.12
@@ -58,6 +63,14 @@ BLOCK = 17
 """Side of the box in which JPEG rings around a step: two of its blocks, pixels ..."""
 RINGING = 0.15
 """... and the height of that as a share of the step."""
+ABRUPT = 7
+"""Side of the box around a border in which there is most of the step ..."""
+SHARP = 0.7
+"""... namely this share, unless it is the soft edge of a shadow ..."""
+SOFT = 0.1
+"""... and share of soft borders from which a picture was lit by a lamp."""
+SURROUNDED = 0.9
+"""Share of the frame along which the surroundings of a sheet of paper, or of a panel, lie."""
 BORDER = 3
 """Width of the ink along a border without a stroke, pixels ..."""
 BESIDE = 5
@@ -83,15 +96,28 @@ def read_tones(seen: Gray) -> Tones | None:
 
     seen : (h, w) or (h, w, 3) uint8, working size
     """
-    if not _may_have_tones(seen):
+    if not _is_calm(seen):
         return None
-    smooth = as_gray(cv2.medianBlur(seen, SMOOTH))
-    steps = _range(smooth)
-    areas = _areas(smooth, steps)
+    sample = np.ascontiguousarray(seen[::COARSE, ::COARSE])
+    paper = [int(np.argmax(counts_of(as_gray(plane)))) for plane in cv2.split(sample)]
+    frame = _drawn_part(sample, paper)
+    if frame is None:
+        return None
+    part = np.ascontiguousarray(seen[frame])
+    smooth = as_gray(cv2.medianBlur(part, SMOOTH))
+    areas = _areas(smooth, paper, float(np.hypot(*seen.shape[:2])))
     if areas is None:
         return None
-    contrast, tone = _off(seen, smooth, _spread(areas > 0, _parted(areas, smooth)))
-    return Tones(contrast, _borders(tone))
+    largest = int(np.argmax(np.bincount(areas[areas > 0])))
+    if not _tones_of(smooth.reshape(areas.size, -1)[areas.ravel() == largest][::SAMPLED]):
+        return None  # lit by a lamp
+    off, tone = _off(part, smooth, _spread(areas > 0, _parted(areas, smooth)))
+    edges = _borders(tone)
+    if _are_soft(edges, tone, part) or _is_sheet(areas, edges, off):
+        return None
+    contrast, borders = np.zeros(seen.shape[:2], np.uint8), np.zeros(seen.shape[:2], np.bool_)
+    contrast[frame], borders[frame] = off, edges
+    return Tones(contrast, borders)
 
 
 def _channels(plane: Gray) -> Gray:
@@ -103,11 +129,21 @@ def _range(seen: Gray) -> Gray:
     return _channels(as_gray(cv2.morphologyEx(seen, cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))))
 
 
-def _may_have_tones(seen: Gray) -> bool:
-    """A cheap look: most pixels are flat in a sample of rows, and something wide has not the commonest level."""
+def _is_calm(seen: Gray) -> bool:
+    """Most pixels of some rows are calm."""
     rows = len(seen) // 24 * 24
     strips = seen[:rows].reshape(-1, 24, *seen.shape[1:])[:, 8:13].reshape(-1, *seen.shape[1:]) if rows else seen
     return bool(np.count_nonzero(_range(strips) <= CALM) > DIGITAL * strips.shape[0] * strips.shape[1])
+
+
+def _drawn_part(sample: Gray, paper: list[int]) -> tuple[slice, slice] | None:
+    """Rows and columns of all that has not the commonest tone, with a rim; None if nothing of that is wide."""
+    other = as_gray(_channels(as_gray(cv2.absdiff(sample, np.full_like(sample, paper)))) >= STEP)
+    wide = cv2.erode(other, np.ones((3, 3), np.uint8))
+    if np.count_nonzero(wide) < 0.5 * LEAST_AREA * other.size:
+        return None
+    x, y, w, h = (COARSE * n for n in cv2.boundingRect(other))
+    return slice(max(0, y - RIM), y + h + RIM), slice(max(0, x - RIM), x + w + RIM)
 
 
 def _box(size: float) -> Gray:
@@ -115,13 +151,9 @@ def _box(size: float) -> Gray:
     return np.ones((side, side), np.uint8)
 
 
-def _areas(smooth: Gray, steps: Gray) -> Ints | None:
-    """(h, w) number of the wide flat area that each pixel belongs to, 0 in none; None if they have one tone.
-
-    steps : (h, w) greatest difference among a pixel and its neighbours
-    """
-    flat = as_gray(steps <= FLAT)
-    diagonal = float(np.hypot(*flat.shape))
+def _areas(smooth: Gray, paper: list[int], diagonal: float) -> Ints | None:
+    """(h, w) number of the wide flat area that each pixel belongs to, 0 in none; None if they have one tone."""
+    flat = as_gray(_range(smooth) <= FLAT)
     core = cv2.erode(flat, _box(WIDE * diagonal), borderType=cv2.BORDER_CONSTANT, borderValue=1)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(flat, connectivity=4)
     kept = np.zeros(count, np.bool_)
@@ -130,24 +162,9 @@ def _areas(smooth: Gray, steps: Gray) -> Ints | None:
     kept[0] = False
     if not _differ(smooth, labels, np.flatnonzero(kept)):
         return None
-    shapes = {label: _shape(labels, stats[label].tolist(), label) for label in np.flatnonzero(kept).tolist()}
-    doubtful = [
-        label
-        for label, (width, long, _) in shapes.items()
-        if width < NARROW * diagonal or (width < BROAD * diagonal and long)
-    ]
-    if doubtful:
-        kept[doubtful] = False
-        wide = np.flatnonzero(kept).tolist()
-        if not wide:
-            return None
-        tone = _spread(kept[labels], smooth)
-        for label in doubtful:
-            width, _, closed = shapes[label]
-            drawn = _is_plain(tone, labels == label) or (closed and width < NARROW * diagonal)
-            kept[label] = not drawn or not all(_differ(smooth, labels, np.array([a, label])) for a in wide)
-        if not _differ(smooth, labels, np.flatnonzero(kept)):
-            return None
+    kept = _without_strokes(kept, labels, stats, smooth, paper, diagonal)
+    if not _differ(smooth, labels, np.flatnonzero(kept)):
+        return None
     return np.where(kept[labels], labels, 0)
 
 
@@ -196,15 +213,57 @@ def _differ(seen: Gray, labels: Ints, areas: Ints) -> bool:
     return len(tones) > 1 and float(np.ptp(tones, axis=0).max()) >= STEP
 
 
-def _shape(labels: Ints, stats: list[int], label: int) -> tuple[float, bool, bool]:
-    """Width of an area, pixels; whether it is long for that; and whether it is closed around something."""
+def _without_strokes(kept: Bools, labels: Ints, stats: Ints, smooth: Gray, paper: list[int], diagonal: float) -> Bools:
+    """The areas that are no strokes of a thick pen: narrow or long ones, drawn on one tone or around something.
+
+    paper : the commonest tone, which no stroke has
+    """
+    shapes = {name: _shape(labels, stats[name].tolist(), name) for name in np.flatnonzero(kept).tolist()}
+    narrow = {name for name, shape in shapes.items() if shape.width < NARROW * diagonal}
+    long = {name for name, shape in shapes.items() if shape.mean_width < BROAD * diagonal and shape.is_long}
+    white = {name for name in narrow | long if _is_paper(smooth, labels == name, paper)}
+    doubtful = sorted((narrow | long) - white)
+    if not doubtful:
+        return kept
+    result = kept.copy()
+    result[doubtful] = False
+    sure = np.flatnonzero(result).tolist()
+    if not sure:
+        return result
+    tone = _spread(result[labels], smooth)
+    for name in doubtful:
+        drawn = (name in narrow and shapes[name].closed) or _is_plain(tone, labels == name)
+        result[name] = not drawn or not all(_differ(smooth, labels, np.array([area, name])) for area in sure)
+    return result
+
+
+@dataclass(frozen=True)
+class _Shape:
+    """Greatest and mean width of an area and its size, pixels, and whether it is closed around something."""
+
+    width: float
+    mean_width: float
+    area: float
+    closed: bool
+
+    @property
+    def is_long(self) -> bool:
+        return self.area > LONG * self.mean_width**2
+
+
+def _shape(labels: Ints, stats: list[int], label: int) -> _Shape:
     x, y, w, h, area = stats
     part = as_gray(labels[y : y + h, x : x + w] == label)
     padded = as_gray(cv2.copyMakeBorder(part, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0))
     width = 2.0 * float(cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5).max())
     contours, _ = cv2.findContours(padded, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
-    mean_width = 2.0 * area / sum(cv2.arcLength(c, True) for c in contours)
-    return width, area > LONG * mean_width**2, len(contours) > 1
+    outline = sum(cv2.arcLength(contour, True) for contour in contours)
+    return _Shape(width, 2.0 * area / outline, area, len(contours) > 1)
+
+
+def _is_paper(smooth: Gray, part: Bools, paper: list[int]) -> bool:
+    tone = np.array(cv2.mean(smooth, part.view(np.uint8))[: len(paper)])
+    return float(np.abs(tone - paper).max()) < STEP
 
 
 def _is_plain(tone: Gray, part: Bools) -> bool:
@@ -233,6 +292,31 @@ def _borders(tone: Gray) -> Bools:
     return border
 
 
+def _are_soft(edges: Bools, tone: Gray, seen: Gray) -> bool:
+    """Much of the borders is no step but a slope: the edge of a shadow."""
+    steps = _channels(_contrast_within(tone, SMOOTH))[edges].astype(np.float32)
+    seen_steps = _channels(_contrast_within(seen, ABRUPT))[edges]
+    return bool(np.count_nonzero(seen_steps < SHARP * steps) > SOFT * len(steps))
+
+
+def _is_sheet(areas: Ints, edges: Bools, off: Gray) -> bool:
+    """One area holds all the others but the one around it, and no stroke or border ends at its outline."""
+    rim = np.concatenate([areas[0], areas[-1], areas[:, 0], areas[:, -1]])
+    around = int(np.argmax(np.bincount(rim[rim > 0], minlength=2)))
+    within = as_gray((areas > 0) & (areas != around))
+    if np.count_nonzero(rim == around) < SURROUNDED * len(rim) or not within.any():
+        return False
+    contours, _ = cv2.findContours(within, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
+    outline = max(contours, key=cv2.contourArea)
+    sheet = cv2.drawContours(np.zeros_like(within), [outline], -1, 1, cv2.FILLED)
+    inner, deeper = (cv2.erode(sheet, np.ones((side, side), np.uint8)) for side in (REACH, 3 * REACH))
+    ring = (inner > 0) & (deeper == 0)
+    outer = cv2.dilate(sheet, np.ones((REACH, REACH), np.uint8)) == 0
+    drawn = (off > STEP) | edges
+    drawn_within = np.count_nonzero(drawn & (inner > 0))
+    return bool(drawn_within > 0 and not drawn[ring].any() and np.count_nonzero(drawn & outer) < drawn_within)
+
+
 def _off(seen: Gray, smooth: Gray, tone: Gray) -> tuple[Gray, Gray]:
     """How far each pixel is from the tone of its area; near others from all mixtures of both, less their ringing.
 
@@ -246,6 +330,8 @@ def _off(seen: Gray, smooth: Gray, tone: Gray) -> tuple[Gray, Gray]:
     low, high = as_gray(cv2.erode(tone, box)), as_gray(cv2.dilate(tone, box))
     near = _channels(as_gray(cv2.subtract(high, low))) >= BORDER_STEP
     count = int(np.count_nonzero(near))
+    if count == 0:
+        return off, tone
     colour, even, own, least, most = (
         p[near].reshape(count, -1).astype(np.float32) for p in (seen, smooth, tone, low, high)
     )
