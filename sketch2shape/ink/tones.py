@@ -99,7 +99,7 @@ def read_tones(seen: Gray) -> Tones | None:
     if not _is_calm(seen):
         return None
     sample = np.ascontiguousarray(seen[::COARSE, ::COARSE])
-    paper = [int(np.argmax(counts_of(as_gray(plane)))) for plane in cv2.split(sample)]
+    paper = _commonest(sample)
     frame = _drawn_part(sample, paper)
     if frame is None:
         return None
@@ -134,6 +134,13 @@ def _is_calm(seen: Gray) -> bool:
     rows = len(seen) // 24 * 24
     strips = seen[:rows].reshape(-1, 24, *seen.shape[1:])[:, 8:13].reshape(-1, *seen.shape[1:]) if rows else seen
     return bool(np.count_nonzero(_range(strips) <= CALM) > DIGITAL * strips.shape[0] * strips.shape[1])
+
+
+def _commonest(sample: Gray) -> list[int]:
+    """The commonest level, or the colour of what has that."""
+    gray = sample if sample.ndim == 2 else as_gray(cv2.cvtColor(sample, cv2.COLOR_RGB2GRAY))
+    level = int(np.argmax(counts_of(gray)))
+    return [level] if sample.ndim == 2 else np.median(sample[gray == level], axis=0).astype(int).tolist()
 
 
 def _drawn_part(sample: Gray, paper: list[int]) -> tuple[slice, slice] | None:
