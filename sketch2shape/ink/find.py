@@ -19,6 +19,7 @@ from sketch2shape.ink.clutter import without_clutter
 from sketch2shape.ink.components import connected_pieces
 from sketch2shape.ink.fills import without_fills, without_stains
 from sketch2shape.ink.grain import with_weak_places, without_burrs
+from sketch2shape.ink.hatch_lines import without_hatch_lines
 from sketch2shape.ink.hatching import without_hatching
 from sketch2shape.ink.histogram import percentile
 from sketch2shape.ink.noise import noise_of, paper_marks, without_bands
@@ -82,7 +83,7 @@ def find_ink(source: Any) -> Ink:
         drawn = with_weak_places(drawn, part, weakest * floor)
     if ground.borders is not None:
         drawn = with_borders(drawn, np.ascontiguousarray(ground.borders[frame]))
-    drawn = without_hatching(drawn, diagonal)
+    drawn = without_hatch_lines(without_hatching(drawn, diagonal))
     drawn = without_clutter(drawn, part, noisy=ringing > 0.0 or noise > 0.5)
     pen_width = pen_width_of(drawn)
     closer = _frame(drawn.view(np.uint8), MARGIN * diagonal)
