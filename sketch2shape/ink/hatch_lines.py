@@ -18,17 +18,29 @@ from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
 
 FEWEST = 5
 """Lines of a hatching, at least ..."""
+CLOSEST = 3.5
+"""... their usual distance in pens, at least: closer ones are an area, see `without_hatching` ..."""
 FARTHEST = 0.08
 """... their greatest distance as a share of the diagonal of the ink ..."""
-SLENDER = 0.9
+SLENDER = 1.2
 """... and as a share of their length ..."""
+LONGEST = 2.0
+"""... the greatest length of one, in lengths of the longer one beside it: an edge may run on in a line ..."""
+LEAST = 0.3
+"""... their least length as a share of FARTHEST ..."""
 EVEN = 2.0
 """... and the greatest ratio between two distances in a row."""
+MOST_EVEN = 0.7
+"""Share of the lines that are so."""
+SWAY = 3.0
+"""Greatest angle off the median of a hatching, in medians of what its lines are off ..."""
+LEAST_SWAY = np.radians(3.0)
+"""... but always this, radians."""
 PARALLEL = np.radians(14.0)
 """Greatest angle between neighbours, radians: pencils sway."""
 STRAIGHT = 0.06
 """Greatest deviation of a line from its axis (r.m.s.) as a share of its length."""
-THROUGH = np.radians(32.0)
+THROUGH = np.radians(20.0)
 """Greatest bend of a line that goes on beyond a crossing, radians."""
 SHORTEST = 3.0
 """Least length of a line in pens."""
@@ -38,6 +50,14 @@ SCANNED = 3
 """Every so manyeth row and column is looked at for even distances ..."""
 SEEN = 6
 """... and so many of either must have them."""
+PASSED = 5.0
+"""A line that passes an end goes on for so many pens on both sides ..."""
+LEAST_PASSED = 10.0
+"""... and at least so many pixels."""
+INKED = 0.85
+"""... with ink on at least this share of them."""
+CORNER = 0.25
+"""Ends of two lines that are this close, as a share of FARTHEST, are a corner with a gap."""
 TIP = 8
 """Length of the end of a line that tells its direction, pixels."""
 
@@ -46,14 +66,16 @@ TIP = 8
 class _Lines:
     """Straight lines, each of one or more arcs of the skeleton.
 
-    arcs    : n lists of arcs
-    ends    : (n, 2, 2) x, y of both ends
-    loose   : (n,) number of ends, 0 to 2, that are at no corner
+    arcs : n lists of arcs
+    ends : (n, 2, 2) x, y of both ends
+    free : (n, 2) whether nothing touches them there
+    on_line : (n, 2) whether they end there on another that goes on
     """
 
     arcs: list[list[int]]
     ends: Floats
-    loose: Ints
+    free: Bools
+    on_line: Bools
 
     @property
     def length(self) -> Floats:
@@ -77,7 +99,8 @@ def without_hatch_lines(mask: Bools) -> Bools:
     pen = rough_pen_width(part > 0)
     arcs, joints = _arcs_of(skeleton, pen)
     lines = _lines_of(arcs, joints, pen)
-    hatching = _hatching(lines, pen, farthest)
+    loose = _loose_ends(lines, part, pen, farthest)
+    hatching = _hatching(lines, loose, pen, farthest)
     if not hatching.any():
         return mask
     gone = np.zeros(int(arcs.max()) + 1, np.bool_)
@@ -148,26 +171,22 @@ def _lines_of(arcs: Ints, joints: Ints, pen: float) -> _Lines:
         for side in (0, 1):
             if arc.joints[side]:
                 at.setdefault(arc.joints[side], []).append((k, side))
-    going_on = {joint: _pairs(every, ends) for joint, ends in at.items()}
-    partner = {a: b for pairs in going_on.values() for pair in pairs for a, b in (pair, pair[::-1])}
-    wide = _wide_joints(joints, pen)
-
-    def is_loose(end: tuple[int, int]) -> bool:
-        joint = every[end[0]].joints[end[1]]
-        return joint == 0 or joint in wide or any(end not in pair for pair in going_on[joint])
-
-    chains = _chains(len(every), partner)
-    straight: list[tuple[list[int], Floats, int]] = []
-    for chain in chains:
-        first, last = chain[0], (chain[-1][0], 1 - chain[-1][1])
-        ends = np.array([every[first[0]].ends[first[1]], every[last[0]].ends[last[1]]])
+    pairs = [pair for ends in at.values() for pair in _pairs(every, ends)]
+    partner = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
+    passed = {every[k].joints[side] for (k, side), _ in pairs}
+    straight: list[tuple[list[int], Floats, list[list[bool]]]] = []
+    for chain in _chains(len(every), partner):
+        tips = (chain[0], (chain[-1][0], 1 - chain[-1][1]))
+        ends = np.array([every[k].ends[side] for k, side in tips])
         members = [k for k, _ in chain]
         if _is_straight([every[k] for k in members], ends, pen):
-            straight.append(([k + 1 for k in members], ends, int(is_loose(first)) + int(is_loose(last))))
+            met = [every[k].joints[side] for k, side in tips]
+            flags = [[joint == 0 for joint in met], [joint in passed for joint in met]]
+            straight.append(([k + 1 for k in members], ends, flags))
     return _Lines(
         [members for members, _, _ in straight],
         np.array([ends for _, ends, _ in straight]).reshape(-1, 2, 2),
-        np.array([loose for _, _, loose in straight], np.intp),
+        *np.array([flags for _, _, flags in straight], np.bool_).reshape(-1, 2, 2).swapaxes(0, 1),
     )
 
 
@@ -186,11 +205,34 @@ def _pairs(arcs: list[_Arc], ends: list[tuple[int, int]]) -> list[tuple[tuple[in
     return pairs
 
 
-def _wide_joints(joints: Ints, pen: float) -> set[int]:
-    """Joints in which several lines end side by side on another."""
-    _, _, stats, _ = cv2.connectedComponentsWithStats(as_gray(joints > 0), connectivity=8)
-    extent = np.hypot(stats[1:, cv2.CC_STAT_WIDTH], stats[1:, cv2.CC_STAT_HEIGHT])
-    return set((np.flatnonzero(extent > 4.0 * (pen + 3.0)) + 1).tolist())
+def _loose_ends(lines: _Lines, ink: Gray, pen: float, farthest: float) -> Ints:
+    """(n,) number of the ends of each line, 0 to 2, that are at no corner: in the open, or on a line that passes."""
+    if not lines.arcs:
+        return np.zeros(0, np.intp)
+    axis = (lines.ends[:, 1] - lines.ends[:, 0]) / lines.length[:, None]
+    out = np.stack([-axis, axis], axis=1)
+    passed = lines.on_line.copy()
+    thick = as_gray(cv2.dilate(ink, np.ones((3, 3), np.uint8)))  # pencils sway
+    reach = np.arange(1.0, max(LEAST_PASSED, PASSED * pen) + 1.0)[:, None, None, None]
+    for ahead, degrees in itertools.product(np.linspace(0.0, 1.5, 5) * (pen + 2.0), range(30, 151, 6)):
+        turn = np.radians(degrees)
+        way = out @ np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+        at = lines.ends + ahead * out
+        passed |= np.minimum(*(_inked(thick, at + side * reach * way).mean(axis=0) for side in (1, -1))) > INKED
+    # where a gap parts two lines at a corner their ends are close
+    gap = np.linalg.norm(lines.ends[:, :, None, None] - lines.ends[None, None], axis=4)
+    turned = np.abs(axis @ axis.T) < np.cos(2.0 * PARALLEL)
+    other = turned & (lines.length[None] > 0.5 * lines.length[:, None])
+    corner = ((gap < CORNER * farthest) & other[:, None, :, None]).any(axis=(2, 3))
+    return np.asarray((passed | (lines.free & ~corner)).sum(axis=1), np.intp)
+
+
+def _inked(ink: Gray, points: Floats) -> Bools:
+    """(...) whether there is ink at points (..., 2)."""
+    h, w = ink.shape
+    x, y = np.rint(points[..., 0]).astype(np.intp), np.rint(points[..., 1]).astype(np.intp)
+    inside = (x >= 0) & (x < w) & (y >= 0) & (y < h)
+    return np.asarray(inside & (ink[np.clip(y, 0, h - 1), np.clip(x, 0, w - 1)] > 0), np.bool_)
 
 
 def _chains(count: int, partner: dict[tuple[int, int], tuple[int, int]]) -> list[list[tuple[int, int]]]:
@@ -223,7 +265,7 @@ def _is_straight(arcs: list[_Arc], ends: Floats, pen: float) -> bool:
     return float(off.max()) < 2.0 * limit and max(arc.bend for arc in arcs) < limit
 
 
-def _hatching(lines: _Lines, pen: float, farthest: float) -> Bools:
+def _hatching(lines: _Lines, loose: Ints, pen: float, farthest: float) -> Bools:
     """(n,) whether each line belongs to a hatching."""
     count = len(lines.arcs)
     result = np.zeros(count, np.bool_)
@@ -239,13 +281,25 @@ def _hatching(lines: _Lines, pen: float, farthest: float) -> Bools:
     parallel = np.abs(axis @ axis.T) > np.cos(PARALLEL)
     apart = np.minimum(np.abs(across), np.abs(across.T))
     near = parallel & beside & (apart > 1.2 * pen) & (apart < np.minimum(farthest, SLENDER * shorter))
-    both = lines.loose == 2
+    both = (loose == 2) & (length > LEAST * farthest)
     chain = near & both & both[:, None] & _next_ones(across, near & both & both[:, None])
-    for group in _groups(chain | chain.T):
-        if len(group) >= FEWEST and _is_even(across, apart, group):
-            result[group] = True
-            # a line of it that happens to end at a corner
-            result |= (near[group].sum(axis=0) >= 1) & (lines.loose >= 1)
+    linked = chain | chain.T
+    longest = LONGEST * np.where(linked, length, 0.0).max(axis=1)
+    for found in _groups(linked):
+        group = [k for k in _alike(axis, found) if length[k] < longest[k]]
+        if len(group) < FEWEST:
+            continue
+        gaps = np.where(linked, apart, np.inf)[np.ix_(group, group)].min(axis=1)
+        if not _are_even(gaps) or np.median(gaps) < CLOSEST * pen:
+            continue
+        result[group] = True
+        usual = float(np.median(length[group]))
+        alike = np.zeros(count, np.bool_)
+        alike[_alike(axis, list(range(count)), group)] = True
+        result |= alike & (near[group].any(axis=0)) & (loose >= 1) & (length < LONGEST * usual)  # those that happen to end at a corner
+        hull = cv2.convexHull(lines.ends[group].reshape(-1, 2).astype(np.float32))
+        for k in np.flatnonzero(~result & (length < usual) & alike).tolist():
+            result[k] = cv2.pointPolygonTest(hull, centre[k].tolist(), False) > 0  # bits of broken lines
     return result
 
 
@@ -276,13 +330,20 @@ def _groups(linked: Bools) -> list[list[int]]:
     return groups
 
 
-def _is_even(across: Floats, apart: Floats, group: list[int]) -> bool:
-    """Most distances between neighbours are like their median."""
-    position = across[group[0]][group]
-    gaps = np.diff(np.sort(position))
-    gaps = gaps[gaps > 0.25 * np.median(gaps)]
+def _alike(axis: Floats, lines: list[int], like: list[int] | None = None) -> list[int]:
+    """Those of some lines that have the direction of the group `like`, or of themselves, within what that sways."""
+    doubled = 2.0 * np.arctan2(axis[:, 1], axis[:, 0])
+    group = doubled[lines if like is None else like]
+    middle = np.arctan2(np.median(np.sin(group)), np.median(np.cos(group)))
+    off = np.abs(np.angle(np.exp(1j * (doubled - middle)))) / 2.0
+    sway = max(LEAST_SWAY, SWAY * float(np.median(off[lines if like is None else like])))
+    return [k for k in lines if off[k] < sway]
+
+
+def _are_even(gaps: Floats) -> bool:
+    """Most lines are as far from the next one as usual."""
     middle = float(np.median(gaps))
-    return bool(np.mean((gaps > middle / EVEN) & (gaps < EVEN * middle)) > 0.7)
+    return bool(np.mean((gaps > middle / EVEN) & (gaps < EVEN * middle)) > MOST_EVEN)
 
 
 def _ink_of(gone: Bools, kept: Bools, pen: float) -> Bools:

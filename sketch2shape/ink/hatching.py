@@ -22,8 +22,8 @@ COHERENCE = 0.6
 """Least share of the gradients' energy across the lines, less that along them."""
 UNEVEN = 0.35
 """Greatest standard deviation of the distances between the lines over their mean."""
-LEAVING = 0.02
-"""Greatest share of ink just outside of a hatched face."""
+LEAVING = 1.0
+"""Greatest number of lines that leave a hatched face, edges at its corners, by that of the lines of the hatching."""
 TURNS = 36
 """Directions that are tried for the edges through a hatching."""
 
@@ -51,7 +51,10 @@ def without_hatching(mask: Bools, diagonal: float) -> Bools:
     for label in range(1, min(int(labels.max()), 8) + 1):
         area = _grown(np.asarray(labels == label, dtype=np.uint8), np.asarray(closed, dtype=np.uint8), box)
         angle = _direction(ink, area)
-        if angle is None or not _ends_here(ink, area) or not _even_lines(ink, area, angle, SPACING * diagonal):
+        if angle is None:
+            continue
+        lines = _even_lines(ink, area, angle, SPACING * diagonal)
+        if not lines or _leaving(ink, area) > LEAVING * lines:
             continue
         inner = cv2.erode(area, _box(2.0 * pen_width + 5.0)) > 0
         x, y, w, h = cv2.boundingRect(area)
@@ -93,15 +96,15 @@ def _direction(ink: Gray, area: Gray) -> float | None:
     return 0.5 * float(np.arctan2(2 * xy, xx - yy)) + np.pi / 2
 
 
-def _ends_here(ink: Gray, area: Gray) -> bool:
-    """Hardly any line leaves the area, as edges do that happen to run close together."""
+def _leaving(ink: Gray, area: Gray) -> int:
+    """How many lines leave the area; edges that happen to run close together do so at both ends."""
     near, far = (cv2.dilate(area, np.ones((n, n), np.uint8)) for n in (5, 9))
     ring = (far > 0) & (near == 0)
-    return bool(np.count_nonzero(ink[ring]) < LEAVING * np.count_nonzero(ring))
+    return int(cv2.connectedComponents((ring & (ink > 0)).view(np.uint8), connectivity=8)[0]) - 1
 
 
-def _even_lines(ink: Gray, area: Gray, angle: float, spacing: float) -> bool:
-    """The straight walk through the area that meets most lines meets many, at short and even distances."""
+def _even_lines(ink: Gray, area: Gray, angle: float, spacing: float) -> int:
+    """How many lines the straight walk meets that meets most; 0 if they are few, or not at short and even distances."""
     mask = cv2.dilate(ink, np.ones((2, 2), np.uint8)) > 0  # else a walk slips through diagonal lines
     ys, xs = np.nonzero(area)
     centre = np.array([xs.mean(), ys.mean()])
@@ -114,8 +117,8 @@ def _even_lines(ink: Gray, area: Gray, angle: float, spacing: float) -> bool:
             met = _gaps(mask, area, centre + shift * reach * aside, step, reach) * np.sin(turn * np.pi)
             gaps = met if len(met) > len(gaps) else gaps
     if len(gaps) < LINES - 1:
-        return False
-    return bool(np.median(gaps) < spacing and np.std(gaps) < UNEVEN * np.mean(gaps))
+        return 0
+    return len(gaps) + 1 if np.median(gaps) < spacing and np.std(gaps) < UNEVEN * np.mean(gaps) else 0
 
 
 def _gaps(mask: Bools, area: Gray, start: Floats, step: Floats, reach: float) -> Floats:
