@@ -162,14 +162,15 @@ def _areas(smooth: Gray, paper: list[int], diagonal: float) -> Ints | None:
     """(h, w) number of the wide flat area that each pixel belongs to, 0 in none; None if they have one tone."""
     flat = as_gray(_range(smooth) <= FLAT)
     core = cv2.erode(flat, _box(WIDE * diagonal), borderType=cv2.BORDER_CONSTANT, borderValue=1)
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(flat, connectivity=4)
+    count, found, stats, _ = cv2.connectedComponentsWithStats(flat, connectivity=4)
+    labels = np.asarray(found, np.intp)
     kept = np.zeros(count, np.bool_)
     kept[labels[core > 0]] = True
     kept &= stats[:, cv2.CC_STAT_AREA] > LEAST_AREA * flat.size
     kept[0] = False
     if not _differ(smooth, labels, np.flatnonzero(kept)):
         return None
-    kept = _without_strokes(kept, labels, stats, smooth, paper, diagonal)
+    kept = _without_strokes(kept, labels, np.asarray(stats, np.intp), smooth, paper, diagonal)
     if not _differ(smooth, labels, np.flatnonzero(kept)):
         return None
     return np.where(kept[labels], labels, 0)
