@@ -22,13 +22,13 @@ FEWEST = 5
 """Lines of a hatching, at least ..."""
 CLOSEST = 3.5
 """... their usual distance in pens, at least: closer ones are an area, see `without_hatching` ..."""
-FARTHEST = 0.08
+FARTHEST = 0.07
 """... their greatest distance as a share of the diagonal of the ink ..."""
 SLENDER = 1.2
 """... and as a share of their length ..."""
 LONGEST = 2.0
 """... the greatest length of one, in lengths of the longer one beside it: an edge may run on in a line ..."""
-LEAST = 0.3
+LEAST = 0.35
 """... their least length as a share of FARTHEST ..."""
 EVEN = 2.0
 """... and the greatest ratio between two distances in a row."""
@@ -46,11 +46,11 @@ SCANNED = 6
 """Every so manyeth row and column is looked at for even distances ..."""
 SEEN = 4
 """... and so many of either must have them."""
-PASSED = 8.0
+PASSED = 4.5
 """A line that passes an end goes on for so many pens on both sides ..."""
-INKED = 0.9
+INKED = 0.85
 """... with ink on at least this share of them."""
-CORNER = 0.25
+CORNER = 0.3
 """Ends of two lines that are this close, as a share of FARTHEST, are a corner with a gap."""
 
 
@@ -65,7 +65,7 @@ def without_hatch_lines(mask: Bools) -> Bools:
         return mask
     part = ink[y : y + h, x : x + w]
     farthest = FARTHEST * float(np.hypot(w, h))
-    if not (_has_even_gaps(part, farthest) or _has_even_gaps(np.ascontiguousarray(part.T), farthest)):
+    if not any(_has_even_gaps(rows, farthest) for rows in (part[::SCANNED], part[:, ::SCANNED].T)):
         return mask
     from skimage.morphology import skeletonize
 
@@ -85,9 +85,8 @@ def without_hatch_lines(mask: Bools) -> Bools:
     return result
 
 
-def _has_even_gaps(ink: Gray, farthest: float) -> bool:
+def _has_even_gaps(rows: Gray, farthest: float) -> bool:
     """Some rows meet several lines at even distances."""
-    rows = ink[::SCANNED]
     row, column = np.nonzero(rows[:, 1:] > rows[:, :-1])
     count = FEWEST - 1
     if len(row) <= SEEN * count:
@@ -97,7 +96,7 @@ def _has_even_gaps(ink: Gray, farthest: float) -> bool:
     for k in range(1, count):
         other = gap[k : len(gap) - count + 1 + k]
         least, most = np.minimum(least, other), np.maximum(most, other)
-    even = (row[count:] == row[:-count]) & (most < EVEN * least) & (most < 2.0 * farthest)
+    even = (row[count:] == row[:-count]) & (most < EVEN * least) & (most < 1.1 * farthest)
     return len(np.unique(row[:-count][even])) >= SEEN
 
 
@@ -176,6 +175,7 @@ def _hatching(lines: Lines, ink: Gray, pen: float, farthest: float) -> Bools:
         return result
     some = np.zeros(len(result), np.bool_)
     some[[line for group in many for line in group]] = True
+    some |= (np.abs(lines.axis @ lines.axis[some].T) > np.cos(PARALLEL)).any(axis=1)
     loose = _loose_ends(lines, some, ink, pen, farthest)
     length = lines.length
     linked = beside.chains((loose == 2) & (length > LEAST * farthest))
@@ -187,19 +187,20 @@ def _hatching(lines: Lines, ink: Gray, pen: float, farthest: float) -> Bools:
         gaps = np.where(linked, beside.apart, np.inf)[np.ix_(group, group)].min(axis=1)
         if _are_even(gaps) and np.median(gaps) > CLOSEST * pen:
             result[group] = True
-            result |= _stragglers(lines, beside.near, loose, group)
+            result |= _stragglers(lines, beside.near, loose, group, float(np.median(gaps)))
     return result
 
 
-def _stragglers(lines: Lines, near: Bools, loose: Ints, group: list[int]) -> Bools:
-    """(n,) lines of a hatching that happen to end at a corner, and bits of broken ones."""
+def _stragglers(lines: Lines, near: Bools, loose: Ints, group: list[int], spacing: float) -> Bools:
+    """(n,) lines of a hatching that happen to end at a corner or reach into one, and bits of broken ones."""
     alike = np.zeros(len(loose), np.bool_)
     alike[_alike(lines.axis, list(range(len(loose))), group)] = True
     usual = float(np.median(lines.length[group]))
     result = alike & near[group].any(axis=0) & (loose >= 1) & (lines.length < LONGEST * usual)
     hull = cv2.convexHull(lines.ends[group].reshape(-1, 2).astype(np.float32))
     for k in np.flatnonzero(alike & ~result & (lines.length < usual)).tolist():
-        result[k] = cv2.pointPolygonTest(hull, lines.ends[k].mean(axis=0).tolist(), False) > 0
+        depth = cv2.pointPolygonTest(hull, lines.ends[k].mean(axis=0).tolist(), True)
+        result[k] = depth > (-1.5 * spacing if loose[k] == 2 else 0.0)
     return np.asarray(result, np.bool_)
 
 

@@ -119,14 +119,13 @@ def lines_of(arcs: Ints, joints: Ints, pen: float) -> Lines:
 
 def _pairs(arcs: list[_Arc], ends: list[tuple[int, int]]) -> list[tuple[tuple[int, int], tuple[int, int]]]:
     """Pairs of ends at a joint, the straightest first, of which each goes on in the other."""
-    found = []
-    for a, b in itertools.combinations(ends, 2):
-        turn = float(np.arccos(np.clip(-(arcs[a[0]].out[a[1]] @ arcs[b[0]].out[b[1]]), -1.0, 1.0)))
-        if turn < THROUGH and a[0] != b[0]:
-            found.append((turn, a, b))
+    out = np.array([arcs[k].out[side] for k, side in ends])
+    turn = np.arccos(np.clip(-(out @ out.T), -1.0, 1.0))
+    first, second = np.nonzero(np.triu(turn < THROUGH, 1))
+    found = sorted((float(turn[a, b]), ends[a], ends[b]) for a, b in zip(first, second, strict=True))
     pairs, taken = [], set()
-    for _, a, b in sorted(found):
-        if a not in taken and b not in taken:
+    for _, a, b in found:
+        if a[0] != b[0] and a not in taken and b not in taken:
             pairs.append((a, b))
             taken |= {a, b}
     return pairs
