@@ -26,7 +26,7 @@ _ALONG = 0.97
 _TRIAD = 0.95
 
 #: how likely no edge runs along one of the two axes
-_ONE_AXIS = 0.1
+_ONE_AXIS = 0.005
 
 #: slants of a face across an axis: all alike in an isometric view; in the dimetric one, across its half axis or another
 ISOMETRIC = math.acos(1.0 / math.sqrt(3.0))
