@@ -5,6 +5,7 @@ from __future__ import annotations
 from sketch2shape.evidence.calibration import REFUSE_BELOW, calibrated
 from sketch2shape.evidence.detectors_agree import SURE, vouched
 from sketch2shape.evidence.doubts import doubted
+from sketch2shape.evidence.energy import Energy, View, energy, observe
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
 from sketch2shape.evidence.unexplained import unexplained_strokes
@@ -13,15 +14,19 @@ __all__ = [
     "PERFECT",
     "REFUSE_BELOW",
     "SURE",
+    "Energy",
     "Evidence",
     "Sheet",
+    "View",
     "calibrated",
     "doubted",
+    "energy",
     "is_dashed",
     "judge",
     "judge_all",
     "judge_stack",
     "most_possible",
+    "observe",
     "sheet_for",
     "unexplained_strokes",
     "vouched",

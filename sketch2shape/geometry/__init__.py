@@ -13,7 +13,7 @@ from sketch2shape.geometry.plane import (
     signed_area,
     size_of,
 )
-from sketch2shape.geometry.plane_maps import map_cost, plane_map
+from sketch2shape.geometry.plane_maps import map_cost, map_fits, plane_map
 
 __all__ = [
     "cross",
@@ -22,6 +22,7 @@ __all__ = [
     "inside",
     "line_crossings",
     "map_cost",
+    "map_fits",
     "moments",
     "plane_map",
     "project",

@@ -26,6 +26,11 @@ def _fits(src: Floats, dst: Floats) -> Iterator[tuple[Floats, float]]:
         yield h, _rms(homology.apply(h, src) - dst)
 
 
+def map_fits(src: Floats, dst: Floats) -> Iterator[Floats]:
+    """Ever richer plane maps from points to points."""
+    return (h for h, _ in _fits(src, dst))
+
+
 def _rms(off: Floats) -> float:
     """Of vectors (k, 2)."""
     return float(np.sqrt(np.vdot(off, off) / len(off)))

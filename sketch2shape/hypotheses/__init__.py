@@ -15,6 +15,7 @@ from sketch2shape.hypotheses.hypothesis import (
 )
 from sketch2shape.hypotheses.opaque import caps
 from sketch2shape.hypotheses.regions import Region, enclosed_regions, without_edge
+from sketch2shape.hypotheses.unions import united
 from sketch2shape.hypotheses.wireframe import CornerGraph
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "plausible",
     "split",
     "stack",
+    "united",
     "which_plausible",
     "without_edge",
 ]

@@ -7,7 +7,7 @@ encloses. For every region its outline is a candidate f1; strokes that leave its
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from itertools import combinations
@@ -21,6 +21,8 @@ from sketch2shape.hypotheses.regions import Region, reductions, sharpened
 from sketch2shape.hypotheses.wireframe import CornerGraph
 from sketch2shape.model import Floats, Ints
 
+OF_A_UNION = 4
+"""Maps that are tried for a union of regions."""
 PULL = 2.5
 """How far off its place, over the tolerance of the corners, the end of a rung may pull the back face's vertex."""
 
@@ -114,6 +116,13 @@ def caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterator[Ring
         yield from _from_region(graph, sharp)
         if len(sharp.outline) != len(region.outline):
             yield from _from_region(graph, region)
+
+
+def united_caps(graph: CornerGraph, unions: Iterable[Region], pen: float) -> Iterator[Rings]:
+    """Hypotheses from unions of regions, the likeliest maps of each; pen is the pen width in pixels."""
+    short = 3.0 * pen + graph.tolerance / 2
+    for region in unions:
+        yield from _from_region(graph, Region(sharpened(region.outline, short)), OF_A_UNION)
 
 
 def loose_caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterator[Rings]:

@@ -16,9 +16,7 @@ import numpy as np
 
 from sketch2shape.evidence import Evidence, Sheet, sheet_for
 from sketch2shape.geometry import thinned
-from sketch2shape.hypotheses import Rings
-from sketch2shape.hypotheses import opaque as caps
-from sketch2shape.hypotheses import wireframe as separate
+from sketch2shape.hypotheses import Rings, opaque, united, wireframe
 from sketch2shape.ink import Group
 from sketch2shape.search.shortlist import ENOUGH, Judged, shortlist
 from sketch2shape.search.tolerances import CLOSE, Round, Traced, corner_graph, in_threes, rounds_for, vertex_candidates
@@ -104,7 +102,7 @@ class _Look:
         return sheet_for(self.traced.group, self.traced.skeleton, self.round.reach)
 
     @cached_property
-    def graph(self) -> separate.CornerGraph:
+    def graph(self) -> wireframe.CornerGraph:
         traced, pen = self.traced, self.traced.skeleton.pen_width
         points = vertex_candidates(traced.strokes, traced.corners, self.round, pen)
         return corner_graph(traced.skeleton, points, self.round.reach)
@@ -129,11 +127,20 @@ class _Look:
         # hidden edges of ruled lines cross others
         is_opaque = self.crossed == 0 and self.is_steady
         found = self._attempt([]) if is_opaque else self.wires
-        for source in (caps.caps, caps.loose_caps)[: 1 + self.round.loose]:
+        for source in (opaque.caps, opaque.loose_caps)[: 1 + self.round.loose]:
             if found.score < GOOD:
                 hypotheses = source(self.graph, self.traced.regions, self.traced.skeleton.pen_width)
                 found = self._attempt(shortlist(hypotheses, self.sheet, found.shortlist))
         return self._with_wires(found.shortlist) if is_opaque and found.score < GOOD else found
+
+    def second(self) -> Attempt:
+        """With what a careless hand or foreign lines may have hidden from the first look."""
+        pen = self.traced.skeleton.pen_width
+        ladders = wireframe.loose_ladders(self.graph)
+        found = shortlist(wire_hypotheses(self.graph, self.steps, ladders), self.sheet, [])
+        unions = united(self.traced.regions, pen, self.round.trace)
+        found = shortlist(opaque.united_caps(self.graph, unions, pen), self.sheet, found)
+        return self._attempt(found)
 
     def _with_wires(self, known: list[Judged]) -> Attempt:
         is_ruled = self.round.reach <= RULED
@@ -187,6 +194,13 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
         yield _Look(len(found), CLOSE, traced, steps).attempt()
 
 
+def second_attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
+    """A second look at some of the rounds, for drawings that no round has explained."""
+    looks = list(_looks(group, skeleton, iter(range(MOST_STEPS_IN_ALL))))
+    for look in looks[1::2] or looks:
+        yield look.second()
+
+
 def _early(looks: list[_Look]) -> list[_Look]:
     """Those that look for a wireframe alone: the first few, if strokes cross. A fine trace cuts wavy ones in pieces."""
     first = looks[:EARLY]
@@ -194,15 +208,19 @@ def _early(looks: list[_Look]) -> list[_Look]:
     return first if any(look.crossed >= SEE_THROUGH for look in some) else []
 
 
-def wire_hypotheses(graph: separate.CornerGraph, steps: Iterable[int] = range(MOST_STEPS)) -> Iterator[Rings]:
+def wire_hypotheses(
+    graph: wireframe.CornerGraph,
+    steps: Iterable[int] = range(MOST_STEPS),
+    ladders: Iterable[wireframe.Ladder] | None = None,
+) -> Iterator[Rings]:
     """Closed ladders of rungs, each also with the smaller ones inside it as holes, within what is left of the steps."""
     left = islice(steps, MOST_STEPS)
-    for ladder in separate.ladders(graph):
+    for ladder in wireframe.ladders(graph) if ladders is None else ladders:
         found: dict[frozenset[int], Rings] = {}
-        for cycle in separate.likely_cycles(ladder, graph, MOST_STEPS // 6, left):
+        for cycle in wireframe.likely_cycles(ladder, graph, MOST_STEPS // 6, left):
             key = frozenset(cycle.tolist())
             if key not in found:
-                found[key] = separate.ring_pair(ladder, graph, cycle)
+                found[key] = wireframe.ring_pair(ladder, graph, cycle)
                 yield found[key]
         if len(found) > 1:
             yield from _holed(found)
@@ -212,6 +230,6 @@ def _holed(found: dict[frozenset[int], Rings]) -> Iterator[Rings]:
     keys = sorted(found, key=len, reverse=True)
     for key in keys[:6]:
         others = [found[k] for k in keys if not k & key]
-        rings = separate.with_holes(found[key], others[:8]) if others else None
+        rings = wireframe.with_holes(found[key], others[:8]) if others else None
         if rings is not None:
             yield rings

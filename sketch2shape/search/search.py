@@ -8,19 +8,18 @@ perfect has to hold against the next round.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from itertools import chain
 
 import numpy as np
 
-from sketch2shape.evidence import PERFECT, Evidence, Sheet, doubted, is_dashed, judge
+from sketch2shape.evidence import Energy, Evidence, Sheet, View, energy, is_dashed, judge, observe
 from sketch2shape.fit import on_map, refine, simplified
-from sketch2shape.geometry import map_cost
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group, split_groups
-from sketch2shape.model import Bools, Floats, Ink
-from sketch2shape.search.attempts import GOOD, POOR, Attempt, attempts, is_sound
+from sketch2shape.model import Floats, Ink
+from sketch2shape.search.attempts import GOOD, Attempt, attempts, second_attempts
 from sketch2shape.search.tolerances import Traced, is_wireframe
-from sketch2shape.strokes import thin
+from sketch2shape.strokes import bridged, thin
 
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
@@ -32,12 +31,10 @@ HOPELESS = 0.1
 """Refinement rarely gains more than this."""
 MOST_REFINED = 40
 """Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
-NO_BETTER = 0.01
-"""Difference of merit that is not worth a refinement."""
-ALL = 0.997
-"""Score with which nothing is left to be explained by another."""
-PLAINER = 0.01
-"""By how much the cost of a plane map may fall in refinement."""
+SETTLED = 1.0
+"""Vertices whose price another hypothesis would have to save: it costs at least as much more, or is worse."""
+COMPARABLE = 0.1
+"""Difference of scores up to which answers tell the noise of the hand that drew."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -52,41 +49,19 @@ class Found:
     evidence  : how well it agrees with the ink
     sheet     : what it was compared with, as strictly as its lines allow
     noise     : rms distance between model and ink, pixels
+    energy    : what it and the drawing under it cost
     """
 
     rings: Rings
     evidence: Evidence
     sheet: Sheet
     noise: float = 0.0
-
-    @cached_property
-    def merit(self) -> float:
-        """Of answers that explain the drawing alike, the one with fewer vertices and the plainer plane map holds."""
-        return _merit(self.evidence.score, self.rings, self.evidence.drawn)
+    energy: Energy | None = None
 
     @property
     def size(self) -> float:
         """Diagonal of the object's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
-
-
-def _merit(score: float, rings: Rings, drawn: Bools, slack: float = 0.0) -> float:
-    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
-    return score - 0.002 * len(front) - 0.5 * max(0.0, map_cost(front, back, drawn) - slack)
-
-
-def _most_merit(rings: Rings, evidence: Evidence) -> float:
-    """What a hypothesis may have after refinement, which makes its plane map no plainer than noise has hidden."""
-    return _merit(1.0, rings, evidence.drawn, PLAINER)
-
-
-def _is_unbeatable(found: Found, rings: Rings, evidence: Evidence) -> bool:
-    """Whether another hypothesis cannot have clearly more merit after refinement."""
-    least = found.merit + NO_BETTER
-    # a bare translation costs nothing
-    return found.evidence.score > ALL and (
-        least >= 1.0 - 0.002 * sum(rings.sizes) or least >= _most_merit(rings, evidence)
-    )
 
 
 def find_all(ink: Ink) -> list[Found]:
@@ -113,27 +88,37 @@ def find(group: Group) -> Found | None:
     skeleton = thin(group.ink)
     if len(skeleton.points) < 30 or len(skeleton.paths) > MOST_PATHS:
         return None
+    whole = bridged(skeleton, group.solid, max(1.5, 0.08 * skeleton.pen_width))
+    if whole is not None:
+        group = replace(group, ink=replace(group.ink, mask=group.ink.mask | whole), solid=group.solid | whole)
+        skeleton = thin(group.ink)
+    view = observe(group, skeleton)
+    found: list[Found] = []
     best: Found | None = None
-    poor: Attempt | None = None
-    good_since = 99
-    before: list[Attempt] = []
-    for attempt in attempts(group, skeleton):
-        k = attempt.number
-        if attempt.score >= POOR:
-            best = _better(best, _best_of(attempt), 0.004 * k)
-        elif poor is None or attempt.score > poor.score:
-            poor = attempt
-        # an answer that is good but not perfect has to hold against those of the next round
-        if best is not None and (best.evidence.score >= PERFECT or k > good_since + _is_busy(best)):
+    for attempt in chain(attempts(group, skeleton), second_attempts(group, skeleton)):
+        if best is None and _is_scribble(attempt):
             break
-        if (best is None and _is_scribble(attempt)) or _is_settled(best, attempt, before):
+        found += _refined_of(attempt, found)
+        best = _best(found, view)
+        if best is not None and _leaves_nothing(best):
             break
-        before.append(attempt)
-        if best is not None and best.evidence.score >= GOOD - 0.01 * k:
-            good_since = min(good_since, k)
-    if poor is not None and (best is None or best.evidence.score < poor.score):
-        best = _better(best, _best_of(poor))
-    return best and replace(best, evidence=doubted(best.rings, best.evidence, best.sheet))
+    return best
+
+
+def _leaves_nothing(best: Found) -> bool:
+    """Whether no other hypothesis could save as much as it would cost."""
+    energy = best.energy
+    return energy is not None and best.evidence.score >= GOOD and energy.unexplained < SETTLED * energy.vertex
+
+
+def _best(found: list[Found], view: View) -> Found | None:
+    """The hypothesis of least energy, all under the noise of one hand."""
+    if not found:
+        return None
+    top = max(f.evidence.score for f in found)
+    hand = min(f.noise for f in found if f.evidence.score >= top - COMPARABLE)
+    priced = [replace(f, energy=energy(f.rings, view, f.evidence.drawn, 1.5 * f.sheet.reach, hand)) for f in found]
+    return min(priced, key=lambda f: f.energy.total)
 
 
 def _is_scribble(attempt: Attempt) -> bool:
@@ -146,46 +131,22 @@ def _is_scribble(attempt: Attempt) -> bool:
     return attempt.number > 0 or not is_wireframe(attempt.traced.corners)
 
 
-def _is_settled(best: Found | None, attempt: Attempt, before: list[Attempt]) -> bool:
-    """Whether a clearly wider search finds the same object, all of it drawn: the ink left over is none of it."""
-    reach = attempt.sheet.reach
-    if best is None or not is_sound(best.evidence) or not attempt.is_sound or best.evidence.explained > GOOD:
-        return False
-    return any(b.is_sound and 1.5 * b.sheet.reach < reach and _alike(attempt.best, b.best, reach) for b in before)
-
-
-def _better(best: Found | None, other: Found | None, handicap: float = 0.0) -> Found | None:
-    """The one with more merit under the same tolerance; the other needs more by the handicap."""
-    if best is None or other is None:
-        return best or other
-    same = best
-    if other.sheet.reach > best.sheet.reach:
-        seen = judge(best.rings, other.sheet)
-        same = replace(best, evidence=seen) if seen.score > best.evidence.score else best
-    return other if other.merit - handicap > same.merit else best
-
-
-def _best_of(attempt: Attempt) -> Found | None:
-    """The best of a round's hypotheses after refinement."""
-    traced = attempt.traced
-    found: Found | None = None
+def _refined_of(attempt: Attempt, before: list[Found]) -> list[Found]:
+    """The hypotheses of a round that could win, moved to the ink."""
+    traced, sheet = attempt.traced, attempt.sheet
+    found: list[Found] = []
     tried: list[Rings] = []
     vertices = 0
     for rings, evidence in attempt.shortlist:
-        if found is not None:
-            hopeless = HOPELESS if found.evidence.score < PERFECT else HOPELESS / 2
-            if evidence.score < found.evidence.score - hopeless or vertices > MOST_REFINED:
-                break
-            if _is_unbeatable(found, rings, evidence):
-                continue
-            if any(_alike(rings, other, attempt.sheet.reach) for other in tried):
-                continue
+        top = max([f.evidence.score for f in found], default=0.0)
+        if found and (evidence.score < top - HOPELESS or vertices > MOST_REFINED):
+            break
+        if any(_alike(rings, other, sheet.reach) for other in tried):
+            continue
         tried.append(rings)
         vertices += sum(rings.sizes)
-        rings, evidence = _at_dashes(rings, evidence, attempt.sheet, traced)
-        refined = _refined(traced, rings, evidence, attempt.sheet)
-        if found is None or refined.merit > found.merit:
-            found = refined
+        rings, evidence = _at_dashes(rings, evidence, sheet, traced)
+        found.append(_refined(traced, rings, evidence, sheet))
     return found
 
 
@@ -215,11 +176,6 @@ def _at_dashes(rings: Rings, evidence: Evidence, sheet: Sheet, traced: Traced) -
             if more and judged.lines == "dashed" and judged.score > evidence.score - 0.01:
                 rings, evidence = other, judged
     return rings, evidence
-
-
-def _is_busy(found: Found) -> bool:
-    """Whether so many vertices were found on wavy lines that some may be bends of the hand."""
-    return found.noise > 0.5 and len(found.rings.vertices) > 2 * 12
 
 
 def _put_right(rings: Rings, judged: Evidence, sheet: Sheet, points: Floats) -> tuple[Rings, Evidence]:

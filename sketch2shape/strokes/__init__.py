@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sketch2shape.strokes.bridging import bridged
 from sketch2shape.strokes.corner_detectors import DETECTORS, detector_named, near, propose, reach_of
 from sketch2shape.strokes.junctions import Corners, crossed, crossings, join_ends
 from sketch2shape.strokes.labelled_corners import DetectedCorners, detect_corners
@@ -16,6 +17,7 @@ __all__ = [
     "Skeleton",
     "Strokes",
     "are_covered",
+    "bridged",
     "crossed",
     "crossings",
     "detect_corners",
