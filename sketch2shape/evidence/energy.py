@@ -31,9 +31,11 @@ NOISE_STEP = 1.5
 WITHIN = 3.0
 FOREIGN, FOREIGN_PATH, FOREIGN_LONG = 2.5, 16.0, 0.25
 SMALL_PIECE = 0.2
+DASH = 0.6
+STRAIGHT = 0.95
 MISSING = 3.0
 GAP, GAP_SHARE = 3.0, 0.25
-DASHED = 0.7
+DASHED = 0.3
 HAND = 0.0025
 SPARE = 1.15
 SPREAD = 2.5
@@ -79,9 +81,16 @@ def observe(group: Group, skeleton: Skeleton) -> View:
     step = max(1, -(-len(pixels) // MOST_POINTS))
     points, owner = pixels[::step], owner[::step]
     solid = group.solid[points[:, 1], points[:, 0]]
-    length = np.where(solid, 1.0, SMALL_PIECE) * step
+    chord = np.array([np.hypot(*(p[-1] - p[0])) if len(p) else 0.0 for p in paths])
+    straight = chord > STRAIGHT * np.array([_walked(p) for p in paths])
+    length = np.where(solid, 1.0, np.where(straight[owner], DASH, SMALL_PIECE)) * step
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0))) if len(skeleton.points) else 1.0
     return View(skeleton, points.astype(float), owner, length, skeleton.pen_width, size)
+
+
+def _walked(path: Ints) -> float:
+    """Length of a path of pixels, pixels."""
+    return float(np.hypot(*np.diff(path, axis=0).T).sum()) if len(path) > 1 else 0.0
 
 
 class Energy(NamedTuple):

@@ -7,8 +7,8 @@ perfect has to hold against the next round.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from itertools import chain
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from sketch2shape.fit import on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import Floats, Ink
-from sketch2shape.search.attempts import GOOD, Attempt, attempts, second_attempts
+from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
 from sketch2shape.search.tolerances import Traced, is_wireframe
 from sketch2shape.strokes import bridged, thin
 
@@ -33,6 +33,10 @@ MOST_REFINED = 40
 """Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
 SETTLED = 1.0
 """Vertices whose price another hypothesis would have to save: it costs at least as much more, or is worse."""
+STALE = 2
+"""Attempts without anything new after which a sound answer holds."""
+TIE = 3.0
+"""Nats that are no reason to prefer a later hypothesis."""
 COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
 DENSE = 150
@@ -93,16 +97,32 @@ def find(group: Group) -> Found | None:
         group = replace(group, ink=replace(group.ink, mask=group.ink.mask | whole), solid=group.solid | whole)
         skeleton = thin(group.ink)
     view = observe(group, skeleton)
-    found: list[Found] = []
     best: Found | None = None
-    for attempt in chain(attempts(group, skeleton), second_attempts(group, skeleton)):
-        if best is None and _is_scribble(attempt):
-            break
-        found += _refined_of(attempt, found)
-        best = _best(found, view)
+    for look in (attempts, second_attempts):
+        best = _searched(look(group, skeleton), view, best)
         if best is not None and _leaves_nothing(best):
             break
     return best
+
+
+def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:
+    """The best of some attempts and what was known, until more of them bring nothing new."""
+    found = [] if best is None else [best]
+    stale = 0
+    for attempt in tries:
+        if best is None and _is_scribble(attempt):
+            break
+        found += _refined_of(attempt)
+        before, best = best, _best(found, view)
+        stale = 0 if best is not before and not _is_same(before, best) else stale + 1
+        if best is not None and (_leaves_nothing(best) or (stale >= STALE and is_sound(best.evidence))):
+            break
+    return best
+
+
+def _is_same(a: Found | None, b: Found | None) -> bool:
+    """Whether both are the same object, to within the reach of a line."""
+    return a is not None and b is not None and _alike(a.rings, b.rings, max(a.sheet.reach, b.sheet.reach))
 
 
 def _leaves_nothing(best: Found) -> bool:
@@ -118,7 +138,17 @@ def _best(found: list[Found], view: View) -> Found | None:
     top = max(f.evidence.score for f in found)
     hand = min(f.noise for f in found if f.evidence.score >= top - COMPARABLE)
     priced = [replace(f, energy=energy(f.rings, view, f.evidence.drawn, 1.5 * f.sheet.reach, hand)) for f in found]
-    return min(priced, key=lambda f: f.energy.total)
+    best = priced[0]
+    for other in priced[1:]:
+        # of those that cost alike, the one thought of first
+        if _total(other) < _total(best) - TIE:
+            best = other
+    return best
+
+
+def _total(found: Found) -> float:
+    """Nats."""
+    return found.energy.total if found.energy else np.inf
 
 
 def _is_scribble(attempt: Attempt) -> bool:
@@ -131,7 +161,7 @@ def _is_scribble(attempt: Attempt) -> bool:
     return attempt.number > 0 or not is_wireframe(attempt.traced.corners)
 
 
-def _refined_of(attempt: Attempt, before: list[Found]) -> list[Found]:
+def _refined_of(attempt: Attempt) -> list[Found]:
     """The hypotheses of a round that could win, moved to the ink."""
     traced, sheet = attempt.traced, attempt.sheet
     found: list[Found] = []
