@@ -10,7 +10,11 @@ from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, jud
 from sketch2shape.evidence.sheet import Sheet, sheet_for
 from sketch2shape.evidence.unexplained import unexplained_strokes
 
+from sketch2shape.evidence.witness import WITNESSES, witnesses
+
 __all__ = [
+    "WITNESSES",
+    "witnesses",
     "PERFECT",
     "REFUSE_BELOW",
     "SURE",

@@ -174,6 +174,11 @@ def energy(rings: Rings, view: View, drawn: Bools, margin: float, spread: float 
     return best
 
 
+def nearest_edges(points: Floats, a: Floats, span: Floats) -> tuple[Floats, Ints]:
+    """(k,) distance of each point to the nearest edge, pixels, and (k,) that edge."""
+    return _distances(points, a, span, np.ones((len(a), 1), bool))
+
+
 def looked_up_distance(skeleton: Skeleton, points: Floats) -> Floats:
     import cv2
 

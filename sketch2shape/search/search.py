@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sketch2shape.evidence import Energy, Evidence, Sheet, View, energy, is_dashed, judge, observe
+from sketch2shape.evidence import Energy, Evidence, Sheet, View, energy, is_dashed, judge, observe, witnesses
 from sketch2shape.fit import on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group, split_groups
@@ -61,6 +61,8 @@ class Found:
     sheet: Sheet
     noise: float = 0.0
     energy: Energy | None = None
+    witnesses: Floats | None = None
+    gap: float = 100.0
 
     @property
     def size(self) -> float:
@@ -102,7 +104,7 @@ def find(group: Group) -> Found | None:
         best = _searched(look(group, skeleton), view, best)
         if best is not None and _leaves_nothing(best):
             break
-    return best
+    return best and replace(best, witnesses=witnesses(best.rings, best.energy, view, best.evidence, best.gap))
 
 
 def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:
@@ -143,7 +145,8 @@ def _best(found: list[Found], view: View) -> Found | None:
         # of those that cost alike, the one thought of first
         if _total(other) < _total(best) - TIE:
             best = other
-    return best
+    rivals = [_total(f) for f in priced if not _is_same(f, best)]
+    return replace(best, gap=min(rivals, default=_total(best) + 100.0) - _total(best))
 
 
 def _total(found: Found) -> float:

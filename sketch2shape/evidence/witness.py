@@ -1,0 +1,132 @@
+"""Witnesses: what speaks for and against an answer, from which its confidence follows.
+
+Each is a number that does not depend on the size of the picture. `scripts/fit_confidence.py` weighs them.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from sketch2shape.evidence.energy import Energy, View, nearest_edges
+from sketch2shape.evidence.score import Evidence
+from sketch2shape.hypotheses import Rings, frame
+from sketch2shape.model import Floats
+
+WITNESSES = (
+    "unexplained",
+    "attached",
+    "closed",
+    "missing",
+    "weakest",
+    "noise",
+    "gap",
+    "vertices",
+    "unseen",
+    "bow",
+    "flat",
+    "shallow",
+    "small",
+    "doubled",
+    "holes",
+    "map",
+)
+"""Names of the witnesses, in order."""
+PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
+"""Where on an edge it is looked at."""
+
+
+def witnesses(rings: Rings, energy: Energy, view: View, evidence: Evidence, gap: float) -> Floats:
+    """(w,) float, see `WITNESSES`.
+
+    gap : nats to the best hypothesis that is another object
+    """
+    v, edges = rings.vertices, frame(rings.sizes).edges
+    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
+    distance, edge = nearest_edges(view.points, a, span)
+    reach = 3 * energy.noise + 0.5
+    left = distance > reach
+    ink = float(view.length.sum()) + 1e-9
+    size = view.size
+    m = len(v) // 2
+    depth = float(np.median(np.hypot(*(v[m:] - v[:m]).T)))
+    visible = float(length.sum())
+    return np.array(
+        [
+            float(view.length[left].sum()) / ink,
+            _attached(view, left, distance, size) / ink,
+            _closed(view, left) / size,
+            np.log1p(energy.missing),
+            1.0 - evidence.weakest,
+            np.log(energy.noise / (0.4 + 0.05 * view.pen)),
+            np.log1p(max(gap, 0.0)),
+            np.log(m),
+            1.0 - float(evidence.drawn.mean()),
+            _bow(view, ~left, edge, a, span / length[:, None], length) / (energy.noise + 0.3),
+            float(_directions(span, length) <= 2),
+            np.log(depth / (view.pen + 2 * energy.noise)),
+            np.log(size / view.pen),
+            _doubled(a, span, length, view.pen + energy.noise),
+            float(len(rings.sizes) - 1),
+            energy.shape / energy.vertex / m,
+        ]
+    )
+
+
+def _attached(view: View, left: Floats, distance: Floats, size: float) -> float:
+    """Length of unexplained paths that touch the object, pixels."""
+    touching = np.unique(view.path[left & (distance < 0.03 * size)])
+    return float(view.length[left & np.isin(view.path, touching)].sum())
+
+
+def _closed(view: View, left: Floats) -> float:
+    """Square root of the area that unexplained ink encloses by itself, pixels."""
+    raster = np.zeros(view.skeleton.mask.shape, np.uint8)
+    mine = np.unique(view.path[left])
+    share = np.bincount(view.path, left, minlength=int(view.path.max(initial=0)) + 1) / np.maximum(np.bincount(view.path), 1)
+    for k in mine[share[mine] > 0.5]:
+        path = view.skeleton.paths[k]
+        raster[path[:, 1], path[:, 0]] = 1
+    raster = cv2.dilate(raster, np.ones((3, 3), np.uint8), iterations=1)
+    contours, tree = cv2.findContours(raster, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
+    areas = [cv2.contourArea(c) for c, t in zip(contours, tree[0], strict=True) if t[3] >= 0] if contours else []
+    return float(np.sqrt(max(areas, default=0.0)))
+
+
+def _bow(view: View, mine: Floats, edge: Floats, a: Floats, u: Floats, length: Floats) -> float:
+    """By how much the ink of edges bows to one side, rms over the edges, pixels."""
+    p, e = view.points[mine], edge[mine]
+    to = p - a[e]
+    t = (to * u[e]).sum(axis=1) / length[e]
+    off = to[:, 0] * u[e, 1] - to[:, 1] * u[e, 0]
+    shape = 4 * t * (1 - t)
+    n = np.bincount(e, minlength=len(a)) + 1e-9
+    ms, mo = np.bincount(e, shape, len(a)) / n, np.bincount(e, off, len(a)) / n
+    cov, var = np.bincount(e, (shape - ms[e]) * (off - mo[e]), len(a)), np.bincount(e, (shape - ms[e]) ** 2, len(a))
+    some = n >= 8
+    return float(np.sqrt(np.mean((cov[some] / (var[some] + 1e-9)) ** 2))) if some.any() else 0.0
+
+
+def _directions(span: Floats, length: Floats) -> int:
+    """Directions that the edges have, to within some six degrees."""
+    found: list[float] = []
+    for k in np.argsort(-length):
+        if length[k] < 0.05 * length.max():
+            break
+        angle = float(np.arctan2(span[k, 1], span[k, 0]) % np.pi)
+        if all(min(abs(angle - f), np.pi - abs(angle - f)) > 0.1 for f in found):
+            found.append(angle)
+    return len(found)
+
+
+def _doubled(a: Floats, span: Floats, length: Floats, reach: float) -> float:
+    """Fraction of the length of all edges that lies along another edge."""
+    p = (a[:, None] + PLACES * span[:, None]).reshape(-1, 2)
+    u = span / length[:, None]
+    to = p[:, None] - a
+    along, across = (to * u).sum(axis=2), np.abs(to[..., 0] * u[:, 1] - to[..., 1] * u[:, 0])
+    beside = ((across <= reach) & (along >= 0) & (along <= length)).reshape(len(a), -1, len(a))
+    beside &= (np.abs(u[:, None, 0] * u[:, 1] - u[:, None, 1] * u[:, 0]) < 0.1)[:, None]
+    beside[np.arange(len(a)), :, np.arange(len(a))] = False
+    return float((beside.any(axis=2).mean(axis=1) * length).sum() / length.sum())
