@@ -5,26 +5,26 @@ from __future__ import annotations
 from sketch2shape.evidence.calibration import REFUSE_BELOW, calibrated
 from sketch2shape.evidence.detectors_agree import SURE, vouched
 from sketch2shape.evidence.doubts import doubted
-from sketch2shape.evidence.energy import Energy, View, energy, observe
+from sketch2shape.evidence.energy import Comparison, Energy, compare
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
 from sketch2shape.evidence.unexplained import unexplained_strokes
-
+from sketch2shape.evidence.view import View, observe
 from sketch2shape.evidence.witness import WITNESSES, witnesses
 
 __all__ = [
-    "WITNESSES",
-    "witnesses",
     "PERFECT",
     "REFUSE_BELOW",
     "SURE",
+    "WITNESSES",
+    "Comparison",
     "Energy",
     "Evidence",
     "Sheet",
     "View",
     "calibrated",
+    "compare",
     "doubted",
-    "energy",
     "is_dashed",
     "judge",
     "judge_all",
@@ -34,4 +34,5 @@ __all__ = [
     "sheet_for",
     "unexplained_strokes",
     "vouched",
+    "witnesses",
 ]

@@ -9,88 +9,33 @@ wins; a vertex stays if it costs less than the ink it explains.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 
+from sketch2shape.evidence.view import View, foreign_price
 from sketch2shape.evidence.visibility import edge_samples, hidden_depth
 from sketch2shape.geometry import homology, map_fits
 from sketch2shape.hypotheses import Rings, stack
-from sketch2shape.ink import Group
 from sketch2shape.model import Bools, Floats, Ints, Lines
-from sketch2shape.strokes import Skeleton
 
-MOST_POINTS = 2000
-STYLES: tuple[Lines, Lines, Lines] = ("wire", "dashed", "removed")
-UNIT = 0.01
 CORRELATED = 0.08
-LEAST_NOISE, PEN_NOISE = 0.4, 0.05
-MOST_NOISE = 0.015
-NOISE_STEP = 1.5
-WITHIN = 3.0
-FOREIGN, FOREIGN_PATH, FOREIGN_LONG = 2.5, 16.0, 0.25
-SMALL_PIECE = 0.2
-DASH = 0.6
-STRAIGHT = 0.95
+"""Fraction of the drawing's size over which a line strays in one way: its noise is told once for so much."""
+WITHIN, BLUR = 3.0, 0.5
+"""Standard deviations of the hand, and pixels more, up to which ink belongs to a line."""
+CROWDED = 1.15
+"""Length of ink that an edge can explain, over its own length: crossings, the ends of other lines."""
 MISSING = 3.0
-GAP, GAP_SHARE = 3.0, 0.25
+"""Nats for a unit of a visible edge without ink: one in twenty units is left out."""
+GAP, GAP_PRICE = 3.0, 0.25
+"""Pens from its end within which an edge may lack ink at a lower price, and that price over the full one."""
 DASHED = 0.3
-HAND = 0.0025
-SPARE = 1.15
-SPREAD = 2.5
-
-
-@dataclass(frozen=True, eq=False)
-class View:
-    """What all hypotheses of one drawing are compared with.
-
-    skeleton : of the ink
-    points   : (k, 2) float, pixels of its paths, thinned out
-    path     : (k,) int, the path of each
-    length   : (k,) float, pixels of ink that each stands for; ink of small pieces counts for little
-    pen      : stroke width, pixels
-    size     : diagonal of the ink, pixels
-    """
-
-    skeleton: Skeleton
-    points: Floats
-    path: Ints
-    length: Floats
-    pen: float
-    size: float
-
-    @property
-    def unit(self) -> float:
-        """Pixels to which ink is independent."""
-        return max(self.pen, UNIT * self.size)
-
-    @cached_property
-    def noises(self) -> Floats:
-        """Standard deviations of a hand that are tried, pixels."""
-        least = LEAST_NOISE + PEN_NOISE * self.pen
-        count = 1 + int(max(0.0, np.log(max(MOST_NOISE * self.size, 1.5 * least) / least) / np.log(NOISE_STEP)))
-        return np.asarray(least * NOISE_STEP ** np.arange(count))
-
-
-def observe(group: Group, skeleton: Skeleton) -> View:
-    """The view of a group of ink."""
-    paths = [p for p in skeleton.paths if len(p)] or [np.zeros((0, 2), np.int32)]
-    pixels = np.concatenate(paths)
-    owner = np.repeat(np.arange(len(paths)), [len(p) for p in paths])
-    step = max(1, -(-len(pixels) // MOST_POINTS))
-    points, owner = pixels[::step], owner[::step]
-    solid = group.solid[points[:, 1], points[:, 0]]
-    chord = np.array([np.hypot(*(p[-1] - p[0])) if len(p) else 0.0 for p in paths])
-    straight = chord > STRAIGHT * np.array([_walked(p) for p in paths])
-    length = np.where(solid, 1.0, np.where(straight[owner], DASH, SMALL_PIECE)) * step
-    size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0))) if len(skeleton.points) else 1.0
-    return View(skeleton, points.astype(float), owner, length, skeleton.pen_width, size)
-
-
-def _walked(path: Ints) -> float:
-    """Length of a path of pixels, pixels."""
-    return float(np.hypot(*np.diff(path, axis=0).T).sum()) if len(path) > 1 else 0.0
+"""Nats for a unit of a dashed hidden edge: where the dashes lie."""
+CARELESS = 0.0025
+"""Fraction of the drawing's size by which a hand misplaces a back vertex even if its lines are straight."""
+STEADY = 2.5
+"""Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
 
 
 class Energy(NamedTuple):
@@ -103,7 +48,7 @@ class Energy(NamedTuple):
     hidden   : hidden edges
     shape    : vertices, plane map, and what misses it
     lines    : how hidden edges are drawn
-    digit    : of a coordinate
+    digit    : a coordinate
     """
 
     noise: float
@@ -117,22 +62,83 @@ class Energy(NamedTuple):
 
     @property
     def total(self) -> float:
-        """Nats."""
+        """All parts."""
         return self.residual + self.foreign + self.missing + self.hidden + self.shape
 
     @property
     def vertex(self) -> float:
-        """What a vertex of the front costs, nats."""
+        """What a vertex of the front costs."""
         return 2.0 * self.digit
 
     @property
     def unexplained(self) -> float:
-        """Nats that another hypothesis could save."""
+        """What another hypothesis could save."""
         return self.foreign + self.missing
 
 
-def energy(rings: Rings, view: View, drawn: Bools, margin: float, spread: float = 1e3) -> Energy:
-    """The energy of a hypothesis.
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """A hypothesis held against a drawing, before anything is said of the hand.
+
+    view    : the drawing
+    lengths : (3m,) float, pixels, of the edges
+    off     : (3m, n) float, pixels from each sample of each edge to the nearest ink
+    wanted  : (3m, n) float, nats for each sample if it has no ink, for visible ones
+    hidden  : (3m, n) float, units of hidden edge at each sample
+    every   : distance of each point of ink to the nearest edge, pixels, and that edge
+    seen    : the same for visible edges alone
+    misses  : for each kind of plane map, its parameters and (k,) pixels by which drawn back vertices miss it
+    front   : number of front vertices
+    """
+
+    view: View
+    lengths: Floats
+    off: Floats
+    wanted: Floats
+    hidden: Floats
+    every: tuple[Floats, Ints]
+    seen: tuple[Floats, Ints]
+    misses: tuple[tuple[int, Floats], ...]
+    front: int
+
+    def energy(self, hand: float) -> Energy:
+        """The least energy under a hand whose lines have this noise, pixels."""
+        noises = self.view.noises
+        return min((self._under(n) for n in noises[noises <= max(noises[0], STEADY * hand)]), key=lambda e: e.total)
+
+    def _under(self, noise: float) -> Energy:
+        near = self.off <= WITHIN * noise + BLUR
+        missing, bare = float(self.wanted[~near].sum()), float(self.hidden[~near].sum())
+        digit = float(np.log(max(self.view.size / noise, 2.0)))
+        (r1, f1), (r2, f2) = self._ink(self.every, noise), self._ink(self.seen, noise)
+        ways: list[tuple[float, float, float, Lines]] = [
+            (MISSING * bare, r1, f1, "wire"),
+            (DASHED * float(self.hidden.sum()), r1, f1, "dashed"),
+            (0.0, r2, f2, "removed"),
+        ]
+        hidden, residual, foreign, lines = min(ways, key=lambda w: w[0] + w[1] + w[2])
+        return Energy(float(noise), residual, foreign, missing, hidden, self._shape(noise, digit), lines, digit)
+
+    def _ink(self, nearest: tuple[Floats, Ints], noise: float) -> tuple[float, float]:
+        """Nats for how ink strays from its edge, and for foreign ink."""
+        distance, edge = nearest
+        view = self.view
+        near = distance <= WITHIN * noise + BLUR
+        spread = 0.5 * (distance[near] / noise) ** 2 + np.log(noise / view.noises[0])
+        residual = float((view.length[near] * spread).sum()) / max(view.pen, CORRELATED * view.size)
+        crowd = np.bincount(edge[near], view.length[near], len(self.lengths)) - CROWDED * self.lengths
+        residual += foreign_price(float(np.maximum(crowd, 0.0).sum()) / view.unit)
+        left = np.bincount(view.path[~near], view.length[~near], minlength=1) / view.unit
+        return residual, float(foreign_price(left).sum())
+
+    def _shape(self, noise: float, digit: float) -> float:
+        slack = 1.5 * noise + CARELESS * self.view.size
+        maps = (p * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum()) for p, off in self.misses)
+        return 2 * digit * self.front + min(maps)
+
+
+def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison:
+    """Hold a hypothesis against a drawing.
 
     drawn  : (m,) bool, back vertices that ink shows; the others follow from the plane map
     margin : pixels, see `hidden_depth`
@@ -140,92 +146,56 @@ def energy(rings: Rings, view: View, drawn: Bools, margin: float, spread: float 
     one = stack([rings])
     samples = edge_samples(one)
     depth = hidden_depth(one, samples, margin)[0]
-    samples = samples[0]
     v, edges = rings.vertices, one.frame.edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     lengths = np.hypot(span[:, 0], span[:, 1])
-    visible, hidden = depth == 0, depth == 2
-    off = looked_up_distance(view.skeleton, samples)
-    seen = _distances(view.points, a, span, ~hidden)
-    every = _distances(view.points, a, span, np.ones_like(hidden)) if hidden.any() else seen
-    room = lengths * SPARE
-    each = (lengths / samples.shape[1] / view.unit)[:, None]
-    n = samples.shape[1]
-    end = np.minimum(np.arange(n), np.arange(n)[::-1]) * (lengths / n)[:, None] < GAP * view.pen
-    wanted = np.where(visible, MISSING * each, 0.0) * np.where(end, GAP_SHARE, 1.0)
-    best: Energy | None = None
-    for noise in view.noises[view.noises <= max(view.noises[0], SPREAD * spread)]:
-        near = off <= WITHIN * noise + 0.5
-        missing = float(wanted[~near].sum())
-        behind = float((hidden * each).sum())
-        bare = float((hidden * each)[~near].sum())
-        digit = float(np.log(max(view.size / noise, 2.0)))
-        shape = _shape(rings, view, drawn, noise)
-        for lines, cost, distance in (
-            ("wire", MISSING * bare, every),
-            ("dashed", DASHED * behind, every),
-            ("removed", 0.0, seen),
-        ):
-            residual, foreign = _ink(distance, room, view, noise)
-            found = Energy(float(noise), residual, foreign, missing, cost, shape, lines, digit)
-            if best is None or found.total < best.total:
-                best = found
-    assert best is not None
-    return best
-
-
-def nearest_edges(points: Floats, a: Floats, span: Floats) -> tuple[Floats, Ints]:
-    """(k,) distance of each point to the nearest edge, pixels, and (k,) that edge."""
-    return _distances(points, a, span, np.ones((len(a), 1), bool))
-
-
-def looked_up_distance(skeleton: Skeleton, points: Floats) -> Floats:
-    import cv2
-
-    at = points.astype(np.float32)
-    return np.asarray(
-        cv2.remap(skeleton.distance, at, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=1e4), float
+    n = samples.shape[2]
+    each = (lengths / n / view.unit)[:, None]
+    place = np.arange(n)
+    end = np.minimum(place, n - 1 - place) * (lengths / n)[:, None] < GAP * view.pen
+    wanted = np.where(depth == 0, MISSING * each * np.where(end, GAP_PRICE, 1.0), 0.0)
+    hidden = depth == 2
+    every = nearest_edges(view.points, a, span)
+    seen = nearest_edges(view.points, a, span, ~hidden) if hidden.any() else every
+    m = len(v) // 2
+    return Comparison(
+        view, lengths, _to_ink(view, samples[0]), wanted, hidden * each, every, seen, _misses(v[:m], v[m:], drawn), m
     )
 
 
-def _distances(points: Floats, a: Floats, span: Floats, shown: Bools) -> tuple[Floats, Ints]:
-    """(k,) distance of each point to the nearest shown part of an edge, pixels, and (k,) that edge."""
-    some = np.flatnonzero(shown.any(axis=1))
+def _to_ink(view: View, points: Floats) -> Floats:
+    """Pixels from points (r, c, 2) to the skeleton; very many outside the picture."""
+    at = points.astype(np.float32)
+    off = cv2.remap(view.skeleton.distance, at, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=1e4)  # type: ignore[call-overload]
+    return np.asarray(off, float)
+
+
+def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:
+    """(k,) distance of each point to the nearest shown part of an edge, pixels, and (k,) that edge.
+
+    a, span : (e, 2) float, where each edge begins and the way to its end
+    shown   : (e, n) bool, which of n equal parts of each edge are shown; None: all
+    """
+    some = np.arange(len(a)) if shown is None else np.flatnonzero(shown.any(axis=1))
     if not len(some):
         return np.full(len(points), np.inf), np.zeros(len(points), np.intp)
-    p, a, s = points.astype(np.float32), a[some].astype(np.float32), span[some].astype(np.float32)
-    n = shown.shape[1]
-    t = ((p[:, None] - a) * s).sum(axis=2) / ((s * s).sum(axis=1) + 1e-9)
-    t = np.clip(t, 0.0, 1.0)
-    dx = p[:, :1] - a[:, 0] - t * s[:, 0]
-    dy = p[:, 1:] - a[:, 1] - t * s[:, 1]
-    d = dx * dx + dy * dy
-    index = np.minimum((t * n).astype(np.intp), n - 1)
-    d[~shown[some][np.arange(len(some)), index]] = np.inf
-    nearest = d.argmin(axis=1)
-    return np.sqrt(d[np.arange(len(d)), nearest]), some[nearest]
+    (px, py), (ax, ay), (sx, sy) = (
+        points.T.astype(np.float32),
+        a[some].T.astype(np.float32),
+        span[some].T.astype(np.float32),
+    )
+    dx, dy = px[:, None] - ax, py[:, None] - ay
+    t = np.clip((dx * sx + dy * sy) / (sx * sx + sy * sy + np.float32(1e-9)), 0.0, 1.0)
+    squares = (dx - t * sx) ** 2 + (dy - t * sy) ** 2
+    if shown is not None:
+        part = np.minimum((t * shown.shape[1]).astype(np.intp), shown.shape[1] - 1)
+        squares[~shown[some][np.arange(len(some)), part]] = np.inf
+    nearest = squares.argmin(axis=1)
+    return np.sqrt(squares[np.arange(len(squares)), nearest]).astype(float), some[nearest]
 
 
-def _ink(nearest: tuple[Floats, Ints], room: Floats, view: View, noise: float) -> tuple[float, float]:
-    distance, edge = nearest
-    near = distance <= WITHIN * noise + 0.5
-    scale = max(view.pen, CORRELATED * view.size)
-    spread = 0.5 * (distance[near] / noise) ** 2 + np.log(noise / view.noises[0])
-    residual = float((view.length[near] * spread).sum()) / scale
-    left = np.bincount(view.path[~near], view.length[~near], minlength=1) / view.unit
-    crowd = np.bincount(edge[near], view.length[near], minlength=len(room)) - room
-    residual += FOREIGN * float(np.maximum(crowd, 0.0).sum()) / view.unit
-    return residual, float(np.minimum(FOREIGN * left, FOREIGN_PATH + FOREIGN_LONG * left)[left > 0].sum())
-
-
-def _shape(rings: Rings, view: View, drawn: Bools, noise: float) -> float:
-    digit = float(np.log(max(view.size / noise, 2.0)))
-    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
+def _misses(front: Floats, back: Floats, drawn: Bools) -> tuple[tuple[int, Floats], ...]:
     seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
-    slack = 1.5 * noise + HAND * view.size
-    cost = np.inf
-    for parameters, fit in zip((2, 3, 5), map_fits(front[seen], back[seen]), strict=False):
-        off = np.linalg.norm(homology.apply(fit, front[seen]) - back[seen], axis=1)
-        if np.isfinite(off).all():
-            cost = min(cost, parameters * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum()))
-    return 2 * digit * len(front) + cost
+    src, dst = front[seen], back[seen]
+    off = [(p, homology.apply(h, src) - dst) for p, h in zip((2, 3, 5), map_fits(src, dst), strict=False)]
+    return tuple((p, np.hypot(o[:, 0], o[:, 1])) for p, o in off if np.isfinite(o).all())

@@ -8,10 +8,11 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.evidence.energy import Energy, View, nearest_edges
+from sketch2shape.evidence.energy import Energy, nearest_edges
 from sketch2shape.evidence.score import Evidence
+from sketch2shape.evidence.view import View
 from sketch2shape.hypotheses import Rings, frame
-from sketch2shape.model import Floats
+from sketch2shape.model import Bools, Floats, Ints
 
 WITNESSES = (
     "unexplained",
@@ -51,7 +52,6 @@ def witnesses(rings: Rings, energy: Energy, view: View, evidence: Evidence, gap:
     size = view.size
     m = len(v) // 2
     depth = float(np.median(np.hypot(*(v[m:] - v[:m]).T)))
-    visible = float(length.sum())
     return np.array(
         [
             float(view.length[left].sum()) / ink,
@@ -74,27 +74,29 @@ def witnesses(rings: Rings, energy: Energy, view: View, evidence: Evidence, gap:
     )
 
 
-def _attached(view: View, left: Floats, distance: Floats, size: float) -> float:
+def _attached(view: View, left: Bools, distance: Floats, size: float) -> float:
     """Length of unexplained paths that touch the object, pixels."""
     touching = np.unique(view.path[left & (distance < 0.03 * size)])
     return float(view.length[left & np.isin(view.path, touching)].sum())
 
 
-def _closed(view: View, left: Floats) -> float:
+def _closed(view: View, left: Bools) -> float:
     """Square root of the area that unexplained ink encloses by itself, pixels."""
     raster = np.zeros(view.skeleton.mask.shape, np.uint8)
     mine = np.unique(view.path[left])
-    share = np.bincount(view.path, left, minlength=int(view.path.max(initial=0)) + 1) / np.maximum(np.bincount(view.path), 1)
+    share = np.bincount(view.path, left, minlength=int(view.path.max(initial=0)) + 1) / np.maximum(
+        np.bincount(view.path), 1
+    )
     for k in mine[share[mine] > 0.5]:
         path = view.skeleton.paths[k]
         raster[path[:, 1], path[:, 0]] = 1
-    raster = cv2.dilate(raster, np.ones((3, 3), np.uint8), iterations=1)
-    contours, tree = cv2.findContours(raster, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
+    closed = cv2.dilate(raster, np.ones((3, 3), np.uint8))
+    contours, tree = cv2.findContours(closed, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
     areas = [cv2.contourArea(c) for c, t in zip(contours, tree[0], strict=True) if t[3] >= 0] if contours else []
     return float(np.sqrt(max(areas, default=0.0)))
 
 
-def _bow(view: View, mine: Floats, edge: Floats, a: Floats, u: Floats, length: Floats) -> float:
+def _bow(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floats) -> float:
     """By how much the ink of edges bows to one side, rms over the edges, pixels."""
     p, e = view.points[mine], edge[mine]
     to = p - a[e]

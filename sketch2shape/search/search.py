@@ -12,7 +12,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sketch2shape.evidence import Energy, Evidence, Sheet, View, energy, is_dashed, judge, observe, witnesses
+from sketch2shape.evidence import (
+    Comparison,
+    Energy,
+    Evidence,
+    Sheet,
+    View,
+    compare,
+    is_dashed,
+    judge,
+    observe,
+    witnesses,
+)
 from sketch2shape.fit import on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group, split_groups
@@ -35,6 +46,8 @@ SETTLED = 1.0
 """Vertices whose price another hypothesis would have to save: it costs at least as much more, or is worse."""
 STALE = 2
 """Attempts without anything new after which a sound answer holds."""
+WIDE_GAP = 100.0
+"""Nats to a rival where there is none."""
 TIE = 3.0
 """Nats that are no reason to prefer a later hypothesis."""
 COMPARABLE = 0.1
@@ -53,16 +66,20 @@ class Found:
     evidence  : how well it agrees with the ink
     sheet     : what it was compared with, as strictly as its lines allow
     noise     : rms distance between model and ink, pixels
+    compared  : held against the drawing
     energy    : what it and the drawing under it cost
+    gap       : nats to the best hypothesis that is another object
+    witnesses : what speaks for and against it
     """
 
     rings: Rings
     evidence: Evidence
     sheet: Sheet
     noise: float = 0.0
+    compared: Comparison | None = None
     energy: Energy | None = None
+    gap: float = WIDE_GAP
     witnesses: Floats | None = None
-    gap: float = 100.0
 
     @property
     def size(self) -> float:
@@ -104,7 +121,9 @@ def find(group: Group) -> Found | None:
         best = _searched(look(group, skeleton), view, best)
         if best is not None and _leaves_nothing(best):
             break
-    return best and replace(best, witnesses=witnesses(best.rings, best.energy, view, best.evidence, best.gap))
+    if best is None or best.energy is None:
+        return None
+    return replace(best, witnesses=witnesses(best.rings, best.energy, view, best.evidence, best.gap))
 
 
 def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:
@@ -114,17 +133,21 @@ def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found
     for attempt in tries:
         if best is None and _is_scribble(attempt):
             break
-        found += _refined_of(attempt)
-        before, best = best, _best(found, view)
+        found += [_compared(f, view) for f in _refined_of(attempt) if not any(_is_same(f, g) for g in found)]
+        before, best = best, _best(found)
         stale = 0 if best is not before and not _is_same(before, best) else stale + 1
         if best is not None and (_leaves_nothing(best) or (stale >= STALE and is_sound(best.evidence))):
             break
     return best
 
 
+def _compared(found: Found, view: View) -> Found:
+    return replace(found, compared=compare(found.rings, view, found.evidence.drawn, 1.5 * found.sheet.reach))
+
+
 def _is_same(a: Found | None, b: Found | None) -> bool:
     """Whether both are the same object, to within the reach of a line."""
-    return a is not None and b is not None and _alike(a.rings, b.rings, max(a.sheet.reach, b.sheet.reach))
+    return a is not None and b is not None and _alike(a.rings, b.rings, 0.5 * (a.sheet.reach + b.sheet.reach))
 
 
 def _leaves_nothing(best: Found) -> bool:
@@ -133,20 +156,20 @@ def _leaves_nothing(best: Found) -> bool:
     return energy is not None and best.evidence.score >= GOOD and energy.unexplained < SETTLED * energy.vertex
 
 
-def _best(found: list[Found], view: View) -> Found | None:
+def _best(found: list[Found]) -> Found | None:
     """The hypothesis of least energy, all under the noise of one hand."""
     if not found:
         return None
     top = max(f.evidence.score for f in found)
     hand = min(f.noise for f in found if f.evidence.score >= top - COMPARABLE)
-    priced = [replace(f, energy=energy(f.rings, view, f.evidence.drawn, 1.5 * f.sheet.reach, hand)) for f in found]
+    priced = [replace(f, energy=f.compared.energy(hand)) for f in found if f.compared is not None]
     best = priced[0]
     for other in priced[1:]:
         # of those that cost alike, the one thought of first
         if _total(other) < _total(best) - TIE:
             best = other
     rivals = [_total(f) for f in priced if not _is_same(f, best)]
-    return replace(best, gap=min(rivals, default=_total(best) + 100.0) - _total(best))
+    return replace(best, gap=min(rivals, default=_total(best) + WIDE_GAP) - _total(best))
 
 
 def _total(found: Found) -> float:
