@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketch2shape.evidence.calibration import REFUSE_BELOW, calibrated
+from sketch2shape.evidence.calibration import REFUSE_BELOW, confidence
 from sketch2shape.evidence.detectors_agree import SURE, vouched
 from sketch2shape.evidence.doubts import doubted
 from sketch2shape.evidence.energy import Comparison, Energy, compare
@@ -22,8 +22,8 @@ __all__ = [
     "Evidence",
     "Sheet",
     "View",
-    "calibrated",
     "compare",
+    "confidence",
     "doubted",
     "is_dashed",
     "judge",

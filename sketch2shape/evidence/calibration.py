@@ -1,20 +1,23 @@
-"""Confidence: from how well an answer explains its drawing to how often such answers are right.
+"""Confidence: how often an answer with such witnesses is right.
 
-The score of verification is no probability. The table below was read off some 1,400 answers on drawings of many media
-and on real pictures: what part of the answers with a score near this was right, with a margin. Of answers given with
-0.9 or more at least 99 in 100 should be right; `scripts/evaluate.py` draws the reliability diagram.
+A logistic regression of right and wrong answers on the witnesses. `scripts/fit_confidence.py` fits the weights on one
+half of the drawings, draws the reliability of both, and writes them to `evidence/weights.py`.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-SCORES = (0.0, 0.65, 0.8, 0.9, 0.979, 0.98, 0.99, 1.0)
-CONFIDENCES = (0.0, 0.4, 0.5, 0.8, 0.85, 0.9, 0.96, 0.995)
+from sketch2shape.evidence.weights import BIAS, CENTRE, SPREAD, WEIGHT
+from sketch2shape.model import Floats
+
 REFUSE_BELOW = 0.4
 """Confidence below which an answer is no answer: most such answers are wrong, or there is nothing to be found."""
+FARTHEST = 4.0
+"""Spreads from the mean beyond which a witness says no more: no drawing of the fit lay further off."""
 
 
-def calibrated(score: float) -> float:
-    """Confidence 0..1 of an answer with this score of verification, 0..1."""
-    return float(np.interp(score, SCORES, CONFIDENCES))
+def confidence(witnesses: Floats) -> float:
+    """Probability 0..1 that an answer with these witnesses (w,) is right."""
+    off = np.clip((np.nan_to_num(witnesses) - CENTRE) / SPREAD, -FARTHEST, FARTHEST)
+    return float(1.0 / (1.0 + np.exp(-(off @ np.array(WEIGHT) + BIAS))))

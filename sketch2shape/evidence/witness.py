@@ -33,6 +33,8 @@ WITNESSES = (
     "map",
 )
 """Names of the witnesses, in order."""
+BESIDE = 0.35
+"""Pens between two edges drawn along each other."""
 PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
 """Where on an edge it is looked at."""
 
@@ -67,7 +69,7 @@ def witnesses(rings: Rings, energy: Energy, view: View, evidence: Evidence, gap:
             float(_directions(span, length) <= 2),
             np.log(depth / (view.pen + 2 * energy.noise)),
             np.log(size / view.pen),
-            _doubled(a, span, length, view.pen + energy.noise),
+            _doubled(a, span, length, max(2.0, BESIDE * view.pen + energy.noise)),
             float(len(rings.sizes) - 1),
             energy.shape / energy.vertex / m,
         ]

@@ -12,7 +12,7 @@ import numpy as np
 
 from sketch2shape.connectors import check_connector, connector_of
 from sketch2shape.errors import NoObjectError
-from sketch2shape.evidence import REFUSE_BELOW, SURE, calibrated, unexplained_strokes, vouched
+from sketch2shape.evidence import REFUSE_BELOW, unexplained_strokes, vouched
 from sketch2shape.model import Answer, Floats, Ink, Picture, TwoFaceObject, checked_number
 from sketch2shape.pipeline.options import corrections_of, explained, lift_options_of, limits_of
 from sketch2shape.pipeline.result import Result
@@ -117,13 +117,12 @@ def _as_object(found: Found, ink: Ink, connector: str, detector: str) -> TwoFace
 
 
 def _confidence(found: Found, ink: Ink, detector: str) -> float:
-    """How sure the object is: how well it explains the ink, less if the corner detectors do not see its vertices."""
-    score = found.evidence.score
-    if detector != "auto" or score < SURE:
-        back = np.concatenate(found.rings.back)[found.evidence.drawn]
-        drawn = np.concatenate([*found.rings.front, back])
-        score *= vouched(ink, drawn, "both" if detector == "auto" else detector, found.noise)
-    return calibrated(score)
+    """How sure the object is, less if a corner detector that was asked for does not see its vertices."""
+    if detector == "auto":
+        return found.confidence
+    back = np.concatenate(found.rings.back)[found.evidence.drawn]
+    drawn = np.concatenate([*found.rings.front, back])
+    return found.confidence * vouched(ink, drawn, detector, found.noise)
 
 
 def _why_not(objects: tuple[TwoFaceObject, ...], ink: Ink, picture: Picture) -> NoObjectError:

@@ -13,12 +13,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sketch2shape.evidence import (
+    REFUSE_BELOW,
     Comparison,
     Energy,
     Evidence,
     Sheet,
     View,
     compare,
+    confidence,
     is_dashed,
     judge,
     observe,
@@ -34,8 +36,6 @@ from sketch2shape.strokes import bridged, thin
 
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
-LEAST_SCORE = 0.7
-"""Below this a group of ink beside an object is not taken for a second one."""
 LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 HOPELESS = 0.1
@@ -44,6 +44,8 @@ MOST_REFINED = 40
 """Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
 SETTLED = 1.0
 """Vertices whose price another hypothesis would have to save: it costs at least as much more, or is worse."""
+LEFT_OVER = 0.4
+"""Fraction of the price of all ink that a settled answer may leave unexplained."""
 STALE = 2
 """Attempts without anything new after which a sound answer holds."""
 WIDE_GAP = 100.0
@@ -70,6 +72,7 @@ class Found:
     energy    : what it and the drawing under it cost
     gap       : nats to the best hypothesis that is another object
     witnesses : what speaks for and against it
+    confidence: 0..1, how often such answers are right
     """
 
     rings: Rings
@@ -80,6 +83,7 @@ class Found:
     energy: Energy | None = None
     gap: float = WIDE_GAP
     witnesses: Floats | None = None
+    confidence: float = 0.0
 
     @property
     def size(self) -> float:
@@ -97,12 +101,12 @@ def find_all(ink: Ink) -> list[Found]:
         if vain >= MOST_VAIN:
             break
         best = find(group)
-        vain += best is None or best.evidence.score < LEAST_SCORE
-        if best is not None and (best.evidence.score >= LEAST_SCORE or not found):
+        vain += best is None or best.confidence < REFUSE_BELOW
+        if best is not None and (best.confidence >= REFUSE_BELOW or not found):
             found.append(replace(best, rings=best.rings.shifted(group.offset)))
-            found.sort(key=lambda f: -(f.evidence.score >= LEAST_SCORE) * f.size)
+            found.sort(key=lambda f: -(f.confidence >= REFUSE_BELOW) * f.size)
     if len(found) > 1:
-        found = [f for f in found if f.evidence.score >= LEAST_SCORE] or found[:1]
+        found = [f for f in found if f.confidence >= REFUSE_BELOW] or found[:1]
     return found
 
 
@@ -123,7 +127,8 @@ def find(group: Group) -> Found | None:
             break
     if best is None or best.energy is None:
         return None
-    return replace(best, witnesses=witnesses(best.rings, best.energy, view, best.evidence, best.gap))
+    seen = witnesses(best.rings, best.energy, view, best.evidence, best.gap)
+    return replace(best, witnesses=seen, confidence=confidence(seen))
 
 
 def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:
@@ -136,7 +141,7 @@ def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found
         found += [_compared(f, view) for f in _refined_of(attempt) if not any(_is_same(f, g) for g in found)]
         before, best = best, _best(found)
         stale = 0 if best is not before and not _is_same(before, best) else stale + 1
-        if best is not None and (_leaves_nothing(best) or (stale >= STALE and is_sound(best.evidence))):
+        if best is not None and (_leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
             break
     return best
 
@@ -148,6 +153,14 @@ def _compared(found: Found, view: View) -> Found:
 def _is_same(a: Found | None, b: Found | None) -> bool:
     """Whether both are the same object, to within the reach of a line."""
     return a is not None and b is not None and _alike(a.rings, b.rings, 0.5 * (a.sheet.reach + b.sheet.reach))
+
+
+def _is_settled(best: Found) -> bool:
+    """Whether all of the answer is drawn, and it explains most of what is."""
+    energy, compared = best.energy, best.compared
+    if energy is None or compared is None or not is_sound(best.evidence):
+        return False
+    return energy.unexplained < LEFT_OVER * compared.view.all_foreign
 
 
 def _leaves_nothing(best: Found) -> bool:
