@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from sketch2shape.evidence.calibration import REFUSE_BELOW, confidence
-from sketch2shape.evidence.detectors_agree import SURE, vouched
-from sketch2shape.evidence.doubts import doubted
+from sketch2shape.evidence.detectors_agree import vouched
 from sketch2shape.evidence.energy import Comparison, Energy, compare
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
@@ -15,7 +14,6 @@ from sketch2shape.evidence.witness import WITNESSES, witnesses
 __all__ = [
     "PERFECT",
     "REFUSE_BELOW",
-    "SURE",
     "WITNESSES",
     "Comparison",
     "Energy",
@@ -24,7 +22,6 @@ __all__ = [
     "View",
     "compare",
     "confidence",
-    "doubted",
     "is_dashed",
     "judge",
     "judge_all",

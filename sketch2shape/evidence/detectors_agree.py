@@ -11,10 +11,6 @@ ENOUGH = 0.8
 """Part of an object's vertices that a detector has to see. Of right answers it sees all, or all but one or two."""
 
 
-SURE = 0.995
-"""Confidence beyond which no detector is asked, unless one is asked for by name."""
-
-
 def vouched(ink: Ink, vertices: Floats, detector: str, noise: float) -> float:
     """0..1, how far the detectors' proposals speak for these vertices; 1 if nearly all have been seen.
 

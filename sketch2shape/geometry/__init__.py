@@ -13,7 +13,7 @@ from sketch2shape.geometry.plane import (
     signed_area,
     size_of,
 )
-from sketch2shape.geometry.plane_maps import map_cost, map_fits, plane_map
+from sketch2shape.geometry.plane_maps import map_fits, plane_map
 
 __all__ = [
     "cross",
@@ -21,7 +21,6 @@ __all__ = [
     "fit_lines",
     "inside",
     "line_crossings",
-    "map_cost",
     "map_fits",
     "moments",
     "plane_map",

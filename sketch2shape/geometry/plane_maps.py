@@ -9,9 +9,6 @@ import numpy as np
 from sketch2shape.geometry import homology
 from sketch2shape.model import Bools, Floats
 
-MAP_STEP = 0.02
-"""Misfit, as a part of the object's size, that justifies the next richer kind of plane map."""
-
 
 def _fits(src: Floats, dst: Floats) -> Iterator[tuple[Floats, float]]:
     """Ever richer plane maps from points to points, each with its rms misfit in pixels."""
@@ -57,16 +54,3 @@ def _extent(front: Floats, back: Floats) -> float:
     """Diagonal of the bounding box of both faces, pixels."""
     low, high = np.minimum(front.min(axis=0), back.min(axis=0)), np.maximum(front.max(axis=0), back.max(axis=0))
     return float(np.hypot(*(high - low)))
-
-
-def map_cost(front: Floats, back: Floats, drawn: Bools) -> float:
-    """How elaborate the plane map is: 0 for an exact translation, growing with degrees of freedom and misfit."""
-    seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
-    size = _extent(front, back) + 1e-9
-    least = np.inf
-    for k, (_, off) in enumerate(_fits(front[seen], back[seen])):
-        if k * MAP_STEP >= least:
-            break
-        if np.isfinite(off):
-            least = min(least, k * MAP_STEP + off / size)
-    return float(least)

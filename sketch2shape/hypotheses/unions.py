@@ -22,6 +22,8 @@ KEPT = 10
 """Unions of one size that grow on."""
 MOST_PARTS = 6
 """Regions in a union."""
+NOTCH = 3.0
+"""Half the width of notches between the parts of a union, over the gap between regions."""
 MOST_VERTICES = 16
 """Vertices of a union that could be a face."""
 
@@ -49,7 +51,9 @@ def _ranked(
     unions: set[frozenset[int]], shapes: list[BaseGeometry], gap: float, tolerance: float
 ) -> Iterator[tuple[tuple[float, float], Region, frozenset[int]]]:
     for members in sorted(unions, key=sorted)[:400]:
-        whole = unary_union([shapes[i] for i in sorted(members)]).buffer(-gap, join_style="mitre")
+        whole = unary_union([shapes[i] for i in sorted(members)])
+        # where a line met the outline it has cut off tips: notches between the parts
+        whole = whole.buffer(NOTCH * gap, join_style="mitre").buffer(-(NOTCH + 1.0) * gap, join_style="mitre")
         if whole.geom_type != "Polygon" or whole.is_empty:
             continue
         outline = _simplified(np.array(whole.exterior.coords[:-1]), tolerance + 0.35 * gap)

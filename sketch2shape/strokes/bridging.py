@@ -29,8 +29,7 @@ def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
     wide = join_ends(strokes, GAPS * pen)
     drawn = solid.astype(np.uint8)
     thickness = max(1, round(pen))
-    for k, i in zip(*np.nonzero(free), strict=True):
-        corner = wide.strokes[k, i]
+    for (k, i), corner in np.ndenumerate(wide.strokes):
         if wide.degree[corner] >= 2:
             ends = np.rint([strokes.ends[k, i], wide.points[corner]]).astype(int)
             cv2.line(drawn, ends[0].tolist(), ends[1].tolist(), 1, thickness)
