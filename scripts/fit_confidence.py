@@ -29,6 +29,7 @@ from evaluation.markdown import percent, table
 from evaluation.measure import in_processes
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.evidence import WITNESSES, confidence
+from sketch2shape.evidence.calibration import Weights, standardised
 
 WEIGHTS = ROOT / "sketch2shape" / "evidence" / "weights.py"
 SETS = ("fresh", "hard", "real", "real2", "refuse")
@@ -53,10 +54,12 @@ def main() -> None:
         cases = [c for c in collect(args.sets, wanted) if c.truth.get("objects", ()) is not None]
         given = in_processes(_answers, [(case,) for case in cases], args.jobs, args.seconds)
     answers = [a for some in given if not isinstance(some, Exception) for a in some]
+    weights = Weights()
     if not args.check:
-        WEIGHTS.write_text(_module(fit([a for a in answers if a.case.half == "even"])))
-        print(f"wrote {WEIGHTS.relative_to(ROOT)}; the table below is of the weights that were there before")
-    print(report(answers))
+        weights = fit([a for a in answers if a.case.half == "even"])
+        WEIGHTS.write_text(_module(weights))
+        print(f"wrote {WEIGHTS.relative_to(ROOT)}")
+    print(report(answers, weights))
 
 
 def _answers(case: Case) -> list[Answer]:
@@ -83,12 +86,12 @@ def _is_right(case: Case, obj: object) -> bool:
     return any(metrics.judge(shared | one, [answer]).exact for one in truth.get("objects", [truth]) if one.get("f1"))
 
 
-def fit(answers: Sequence[Answer]) -> dict[str, tuple[float, ...] | float]:
-    """Centre, spread and weight of each witness, and the bias."""
+def fit(answers: Sequence[Answer]) -> Weights:
+    """Mean, spread and weight of each witness, and the bias."""
     x = np.nan_to_num(np.array([a.witnesses for a in answers]))
     right = np.array([a.right for a in answers], float)
-    centre, spread = x.mean(axis=0), np.maximum(x.std(axis=0), 1e-6)
-    z = np.column_stack([np.clip((x - centre) / spread, -4.0, 4.0), np.ones(len(x))])
+    flat = Weights(tuple(x.mean(axis=0)), tuple(np.maximum(x.std(axis=0), 1e-6)))
+    z = np.column_stack([standardised(x, flat), np.ones(len(x))])
 
     def loss(w: Floats) -> tuple[float, Floats]:
         t = z @ w
@@ -97,28 +100,25 @@ def fit(answers: Sequence[Answer]) -> dict[str, tuple[float, ...] | float]:
         return cost, z.T @ (1.0 / (1.0 + np.exp(-t)) - right) + RIDGE * held
 
     w = minimize(loss, np.zeros(z.shape[1]), jac=True, method="L-BFGS-B").x
-    plain = [tuple(round(float(v), 4) for v in part) for part in (centre, spread, w[:-1])]
-    return {"CENTRE": plain[0], "SPREAD": plain[1], "WEIGHT": plain[2], "BIAS": round(float(w[-1]), 4)}
+    centre, spread, weight = (tuple(round(float(v), 4) for v in p) for p in (flat.centre, flat.spread, w[:-1]))
+    return Weights(centre, spread, weight, round(float(w[-1]), 4))
 
 
-def _module(fitted: dict[str, tuple[float, ...] | float]) -> str:
+def _module(weights: Weights) -> str:
     lines = ['"""Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."""', ""]
-    for name, values in fitted.items():
-        if isinstance(values, float):
-            lines.append(f"{name} = {values}")
-            continue
+    for name, values in zip(("CENTRE", "SPREAD", "WEIGHT"), weights[:3], strict=True):
         named = (f"    {v},  # {w}" for v, w in zip(values, WITNESSES, strict=True))
         lines += [f"{name} = (", *named, ")"]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, f"BIAS = {weights.bias}"]) + "\n"
 
 
-def report(answers: Sequence[Answer]) -> str:
+def report(answers: Sequence[Answer], weights: Weights) -> str:
     """How far the confidence keeps its promise, by set and half."""
     rows = []
     for name in (*dict.fromkeys(a.case.set for a in answers), "all"):
         for half in ("even", "odd"):
             some = [a for a in answers if name in (a.case.set, "all") and a.case.half == half]
-            sure = [a for a in some if confidence(a.witnesses) >= 0.9]
+            sure = [a for a in some if confidence(a.witnesses, weights) >= 0.9]
             right = sum(a.right for a in some)
             kept = sum(a.right for a in sure)
             rows.append([name, half, str(len(some)), str(len(sure)), percent(kept, len(sure)), percent(kept, right)])

@@ -6,6 +6,8 @@ half of the drawings, draws the reliability of both, and writes them to `evidenc
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from sketch2shape.evidence.weights import BIAS, CENTRE, SPREAD, WEIGHT
@@ -17,7 +19,22 @@ FARTHEST = 4.0
 """Spreads from the mean beyond which a witness says no more: no drawing of the fit lay further off."""
 
 
-def confidence(witnesses: Floats) -> float:
+class Weights(NamedTuple):
+    """A logistic regression: mean, standard deviation and weight of each witness, (w,) each, and the bias."""
+
+    centre: tuple[float, ...] = CENTRE
+    spread: tuple[float, ...] = SPREAD
+    weight: tuple[float, ...] = WEIGHT
+    bias: float = BIAS
+
+
+def standardised(witnesses: Floats, weights: Weights) -> Floats:
+    """Witnesses (..., w) in standard deviations from their mean."""
+    off = (np.nan_to_num(witnesses) - weights.centre) / weights.spread
+    return np.asarray(np.clip(off, -FARTHEST, FARTHEST))
+
+
+def confidence(witnesses: Floats, weights: Weights | None = None) -> float:
     """Probability 0..1 that an answer with these witnesses (w,) is right."""
-    off = np.clip((np.nan_to_num(witnesses) - CENTRE) / SPREAD, -FARTHEST, FARTHEST)
-    return float(1.0 / (1.0 + np.exp(-(off @ np.array(WEIGHT) + BIAS))))
+    used = weights or Weights()
+    return float(1.0 / (1.0 + np.exp(-(standardised(witnesses, used) @ np.array(used.weight) + used.bias))))
