@@ -35,6 +35,8 @@ WITNESSES = (
 """Names of the witnesses, in order."""
 BESIDE = 0.35
 """Pens between two edges drawn along each other."""
+SPANNED = 0.05
+"""Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
 """Where on an edge it is looked at."""
 
@@ -108,8 +110,9 @@ def _bow(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floa
     n = np.bincount(e, minlength=len(a)) + 1e-9
     ms, mo = np.bincount(e, shape, len(a)) / n, np.bincount(e, off, len(a)) / n
     cov, var = np.bincount(e, (shape - ms[e]) * (off - mo[e]), len(a)), np.bincount(e, (shape - ms[e]) ** 2, len(a))
-    some = n >= 8
-    return float(np.sqrt(np.mean((cov[some] / (var[some] + 1e-9)) ** 2))) if some.any() else 0.0
+    # ink along a part of an edge says nothing of how the whole bows
+    some = (n >= 8) & (var >= SPANNED * n)
+    return float(np.sqrt(np.mean((cov[some] / var[some]) ** 2))) if some.any() else 0.0
 
 
 def _directions(span: Floats, length: Floats) -> int:
