@@ -1,0 +1,76 @@
+"""Witnesses: each tells what it is named after."""
+
+import numpy as np
+import pytest
+from sketches import DEPTH, HEXAGON, SQUARE, ink_of, line, outline, prism, sheet_of
+
+from sketch2shape.evidence import WITNESSES, compare, judge, observe, witnesses
+from sketch2shape.hypotheses.hypothesis import Rings
+from sketch2shape.ink import split_groups
+from sketch2shape.strokes.skeleton import thin
+
+BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
+
+
+def seen_in(picture, rings=BOX, gap=50.0):
+    (group,) = split_groups(ink_of(picture))
+    view = observe(group, thin(group.ink))
+    evidence = judge(rings, sheet_of(picture))
+    own = rings.shifted(-group.offset)
+    energy = compare(own, view, evidence.drawn, 4.0).energy(0.5)
+    return dict(zip(WITNESSES, witnesses(own, energy, view, evidence, gap), strict=True))
+
+
+def test_a_clean_box_has_nothing_against_it():
+    seen = seen_in(prism(SQUARE, SQUARE + DEPTH))
+    for name in ("unexplained", "attached", "closed", "flat", "doubled", "holes", "unseen"):
+        assert seen[name] < 0.05, name
+    assert seen["vertices"] == pytest.approx(np.log(4))
+    assert seen["bow"] < 1.0
+
+
+def test_foreign_ink_is_told_by_length_and_whether_it_touches():
+    clean = prism(SQUARE, SQUARE + DEPTH)
+    beside = seen_in(line(clean.copy(), [130, 302], [260, 302]))
+    touching = seen_in(line(clean.copy(), SQUARE[3], [180, 370]))
+    assert beside["unexplained"] > 0.05
+    assert beside["attached"] < 0.02 < touching["attached"]
+
+
+def test_ink_that_encloses_something_by_itself_is_told():
+    picture = outline(135 + 0.4 * (SQUARE - 120), picture=prism(SQUARE, SQUARE + DEPTH))
+    assert seen_in(picture)["closed"] > 0.1
+
+
+def test_bowed_edges_are_told_from_straight_ones():
+    around = np.arange(0, 360, 60) * np.pi / 180
+    six = np.array([200.0, 200]) + 90 * np.c_[np.cos(around), np.sin(around)]
+    fine = np.arange(0, 360, 4) * np.pi / 180
+    circle = np.array([200.0, 200]) + 90 * np.c_[np.cos(fine), np.sin(fine)]
+    rings = Rings((six,), (six + [110, -20],))
+    straight = seen_in(prism(six, six + [110, -20]), rings)["bow"]
+    bowed = seen_in(outline(circle + [110, -20], picture=outline(circle)), rings)["bow"]
+    assert bowed > 3 * straight
+
+
+def test_a_table_has_two_directions_and_lies_on_itself():
+    picture = outline(SQUARE + [0, 75], picture=outline(SQUARE))
+    seen = seen_in(picture, Rings((SQUARE,), (SQUARE + [0, 75],)))
+    assert seen["flat"] == 1
+    assert seen["doubled"] > 0.2
+    assert seen_in(prism(SQUARE, SQUARE + DEPTH))["flat"] == 0
+
+
+def test_a_vertex_behind_that_nobody_sees_is_told():
+    assert seen_in(prism(SQUARE, SQUARE + DEPTH, "removed"))["unseen"] == pytest.approx(0.25)
+
+
+@pytest.mark.parametrize("scale", [0.7, 1.5])
+def test_witnesses_do_not_depend_on_the_size_of_the_drawing(scale):
+    big = Rings((HEXAGON * scale,), ((HEXAGON + [110, -20]) * scale,))
+    width = max(1, round(2 * scale))
+    paper = np.full((int(400 * scale), int(480 * scale)), 255, np.uint8)
+    other = seen_in(prism(*big.front, *big.back, width=width, picture=paper), big)
+    plain = seen_in(prism(HEXAGON, HEXAGON + [110, -20]), Rings((HEXAGON,), (HEXAGON + [110, -20],)))
+    for name in ("unexplained", "attached", "closed", "weakest", "doubled", "flat", "vertices", "map"):
+        assert other[name] == pytest.approx(plain[name], abs=0.1), name
