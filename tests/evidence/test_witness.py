@@ -38,7 +38,7 @@ def test_foreign_ink_is_told_by_length_and_whether_it_touches():
 
 
 def test_ink_that_encloses_something_by_itself_is_told():
-    picture = outline(135 + 0.4 * (SQUARE - 120), picture=prism(SQUARE, SQUARE + DEPTH))
+    picture = outline(148 + 0.35 * (SQUARE - 120), picture=prism(SQUARE, SQUARE + DEPTH))
     assert seen_in(picture)["closed"] > 0.1
 
 
