@@ -50,7 +50,8 @@ def lift(
         return _solid(_sized(_default(drawing, problem), options), drawing, options, picture_size)
     ways = options_of(_allowed(all_readings(drawing, options.depth_ratio), options), wire=obj.lines == "wire")
     if options.reading > len(ways):
-        raise UsageError(f"there are only {len(ways)} readings", remedy=f"a reading from 1 to {len(ways)}")
+        many = "is only one reading" if len(ways) == 1 else f"are only {len(ways)} readings"
+        raise UsageError(f"there {many} of this drawing", remedy=f"--reading with a number from 1 to {len(ways)}")
     chosen = options.reading - 1
     sized = [_sized(shape, options) for shape in _tidied(ways, drawing, options)]
     others = tuple(

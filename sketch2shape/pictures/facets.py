@@ -57,7 +57,7 @@ def stand(solid: Solid, drawing: TwoFaceObject | None = None) -> Stand:
     """How to set a solid up: upright as in its drawing, but squarely.
 
     The linear map that takes the solid's vertices nearest to their places in the drawing (least squares) tells which of
-    its directions look right, down and away there; without a drawing its coordinates are taken to be the viewer's.
+    its directions look right, down and away there; without one, as its camera sees it or, failing that, as its viewer does.
     """
     drawn = _drawn_as(solid, drawing)
     looks = np.array([drawn[0], drawn[1], np.cross(drawn[0], drawn[1])])
@@ -73,11 +73,17 @@ def _drawn_as(solid: Solid, drawing: TwoFaceObject | None) -> Floats:
     """(2, 3) linear map from the solid's directions to those of the drawing."""
     default = np.array([[1.0, 0.0, 0.35], [0.0, 1.0, -0.35]])
     if drawing is None or len(drawing.vertices) != len(solid.vertices):
-        return default
+        return default if solid.camera is None else _seen_by(solid.camera, solid.vertices.mean(axis=0))
     space = solid.vertices - solid.vertices.mean(axis=0)
     plane = drawing.vertices - drawing.vertices.mean(axis=0)
     drawn = np.linalg.lstsq(space, plane, rcond=None)[0].T
     return np.asarray(drawn) if np.linalg.matrix_rank(drawn, 1e-6) == 2 else default
+
+
+def _seen_by(camera: Floats, point: Floats) -> Floats:
+    """(2, 3) how directions at a point (3,) appear in the picture of a camera (3, 4)."""
+    x, y, w = camera @ np.append(point, 1.0)
+    return np.asarray((camera[:2, :3] - np.outer([x / w, y / w], camera[2, :3])) / w)
 
 
 def _own_axes(solid: Solid) -> Floats:

@@ -59,3 +59,9 @@ def test_a_box_stands_the_same_way_when_its_side_is_called_the_front(box: Result
     assert min(solid.dimensions) > 100
     shown = surface([solid], stand(solid, side).rotation).vertices
     assert np.ptp(shown, axis=0) == pytest.approx([200, 180, solid.volume / 36000], rel=0.02)
+
+
+def test_a_solid_without_its_drawing_stands_as_its_camera_sees_it(notched: Result) -> None:
+    solid = notched.solids[0]
+    with_drawing, alone = stand(solid, notched.objects[0]), stand(solid, None)
+    assert np.allclose(with_drawing.rotation, alone.rotation)
