@@ -57,7 +57,8 @@ def stand(solid: Solid, drawing: TwoFaceObject | None = None) -> Stand:
     """How to set a solid up: upright as in its drawing, but squarely.
 
     The linear map that takes the solid's vertices nearest to their places in the drawing (least squares) tells which of
-    its directions look right, down and away there; without one, as its camera sees it or, failing that, as its viewer does.
+    its directions look right, down and away there; without a drawing its camera tells, or else its coordinates are
+    taken to be the viewer's.
     """
     drawn = _drawn_as(solid, drawing)
     looks = np.array([drawn[0], drawn[1], np.cross(drawn[0], drawn[1])])

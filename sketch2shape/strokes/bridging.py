@@ -12,15 +12,17 @@ from sketch2shape.strokes.tracing import trace_skeleton
 
 GAPS = 4.0
 """Pens by which strokes may stop short of their corner: what people leave on purpose."""
+LEAST_LOOSE = 6
+"""Pixels at which the skeleton ends, below which strokes meet: a drawing has two for each stroke that meets no other."""
 LEAST_FREE = 0.3
 """Fraction of all stroke ends that meet no other from which on a drawing has gaps at its corners."""
 
 
 def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
     """(h, w) bool, the ink with strokes drawn on to where their lines meet; None if few strokes stop short."""
-    strokes = trace_skeleton(skeleton, tolerance, solid)
-    if len(strokes.ends) < 6:
+    if _loose_ends(skeleton) < LEAST_LOOSE:
         return None
+    strokes = trace_skeleton(skeleton, tolerance, solid)
     pen = skeleton.pen_width
     tight = join_ends(strokes, pen)
     free = (tight.degree[tight.strokes] < 2) & ~tight.on[tight.strokes]
@@ -34,3 +36,9 @@ def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
             ends = np.rint([strokes.ends[k, i], wide.points[corner]]).astype(int)
             cv2.line(drawn, ends[0].tolist(), ends[1].tolist(), 1, thickness)
     return drawn.astype(bool)
+
+
+def _loose_ends(skeleton: Skeleton) -> int:
+    """Pixels of the skeleton with a single neighbour."""
+    around = cv2.boxFilter(skeleton.mask, cv2.CV_8U, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    return int(np.count_nonzero(skeleton.mask & (around == 2)))
