@@ -13,7 +13,7 @@ from sketch2shape.strokes.tracing import trace_skeleton
 GAPS = 4.0
 """Pens by which strokes may stop short of their corner: what people leave on purpose."""
 LEAST_LOOSE = 6
-"""Pixels at which the skeleton ends, below which strokes meet: a drawing has two for each stroke that meets no other."""
+"""Loose ends of the skeleton below which strokes meet: one that meets no other has two."""
 LEAST_FREE = 0.3
 """Fraction of all stroke ends that meet no other from which on a drawing has gaps at its corners."""
 
