@@ -23,6 +23,8 @@ def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
     if _loose_ends(skeleton) < LEAST_LOOSE:
         return None
     strokes = trace_skeleton(skeleton, tolerance, solid)
+    if not len(strokes.ends):
+        return None
     pen = skeleton.pen_width
     tight = join_ends(strokes, pen)
     free = (tight.degree[tight.strokes] < 2) & ~tight.on[tight.strokes]
