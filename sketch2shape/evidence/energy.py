@@ -101,6 +101,11 @@ class Comparison:
     misses: tuple[tuple[int, Floats], ...]
     front: int
 
+    @property
+    def shown(self) -> Floats:
+        """(3m,) fraction of each edge that is seen."""
+        return np.asarray((self.wanted > 0).mean(axis=1))
+
     def energy(self, hand: float) -> Energy:
         """The least energy under a hand whose lines have this noise, pixels."""
         noises = self.view.noises

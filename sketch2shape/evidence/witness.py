@@ -8,7 +8,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.evidence.energy import Energy, nearest_edges
+from sketch2shape.evidence.energy import Comparison, Energy, nearest_edges
 from sketch2shape.evidence.score import Evidence
 from sketch2shape.evidence.view import View
 from sketch2shape.hypotheses import Rings, frame
@@ -35,17 +35,20 @@ WITNESSES = (
 """Names of the witnesses, in order."""
 BESIDE = 0.35
 """Pens between two edges drawn along each other."""
+HALF_SEEN = 0.5
+"""Fraction of an edge that is seen from which on another edge may lie along it."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
 """Where on an edge it is looked at."""
 
 
-def witnesses(rings: Rings, energy: Energy, view: View, evidence: Evidence, gap: float) -> Floats:
+def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence, gap: float) -> Floats:
     """(w,) float, see `WITNESSES`.
 
     gap : nats to the best hypothesis that is another object
     """
+    view = compared.view
     v, edges = rings.vertices, frame(rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
@@ -71,7 +74,7 @@ def witnesses(rings: Rings, energy: Energy, view: View, evidence: Evidence, gap:
             float(_directions(span, length) <= 2),
             np.log(depth / (view.pen + 2 * energy.noise)),
             np.log(size / view.pen),
-            _doubled(a, span, length, max(2.0, BESIDE * view.pen + energy.noise)),
+            _doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
             float(len(rings.sizes) - 1),
             energy.shape / energy.vertex / m,
         ]
@@ -127,8 +130,8 @@ def _directions(span: Floats, length: Floats) -> int:
     return len(found)
 
 
-def _doubled(a: Floats, span: Floats, length: Floats, reach: float) -> float:
-    """Fraction of the length of all edges that lies along another edge."""
+def _doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:
+    """Fraction of the length of what is seen of edges (shown: (e,), fraction of each) that lies along another."""
     p = (a[:, None] + PLACES * span[:, None]).reshape(-1, 2)
     u = span / length[:, None]
     to = p[:, None] - a
@@ -136,4 +139,6 @@ def _doubled(a: Floats, span: Floats, length: Floats, reach: float) -> float:
     beside = ((across <= reach) & (along >= 0) & (along <= length)).reshape(len(a), -1, len(a))
     beside &= (np.abs(u[:, None, 0] * u[:, 1] - u[:, None, 1] * u[:, 0]) < 0.1)[:, None]
     beside[np.arange(len(a)), :, np.arange(len(a))] = False
-    return float((beside.any(axis=2).mean(axis=1) * length).sum() / length.sum())
+    beside &= shown > HALF_SEEN
+    seen = length * shown
+    return float((beside.any(axis=2).mean(axis=1) * seen).sum() / (seen.sum() + 1e-9))

@@ -125,9 +125,9 @@ def find(group: Group) -> Found | None:
         best = _searched(look(group, skeleton), view, best)
         if best is not None and _leaves_nothing(best):
             break
-    if best is None or best.energy is None:
+    if best is None or best.energy is None or best.compared is None:
         return None
-    seen = witnesses(best.rings, best.energy, view, best.evidence, best.gap)
+    seen = witnesses(best.rings, best.energy, best.compared, best.evidence, best.gap)
     return replace(best, witnesses=seen, confidence=confidence(seen))
 
 

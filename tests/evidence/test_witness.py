@@ -17,8 +17,9 @@ def seen_in(picture, rings=BOX, gap=50.0):
     view = observe(group, thin(group.ink))
     evidence = judge(rings, sheet_of(picture))
     own = rings.shifted(-group.offset)
-    energy = compare(own, view, evidence.drawn, 4.0).energy(0.5)
-    return dict(zip(WITNESSES, witnesses(own, energy, view, evidence, gap), strict=True))
+    compared = compare(own, view, evidence.drawn, 4.0)
+    found = witnesses(own, compared.energy(0.5), compared, evidence, gap)
+    return dict(zip(WITNESSES, found, strict=True))
 
 
 def test_a_clean_box_has_nothing_against_it():
@@ -74,3 +75,10 @@ def test_witnesses_do_not_depend_on_the_size_of_the_drawing(scale):
     plain = seen_in(prism(HEXAGON, HEXAGON + [110, -20]), Rings((HEXAGON,), (HEXAGON + [110, -20],)))
     for name in ("unexplained", "attached", "closed", "weakest", "doubled", "flat", "vertices", "map"):
         assert other[name] == pytest.approx(plain[name], abs=0.1), name
+
+
+def test_hidden_edges_along_visible_ones_are_no_doubt():
+    c, s = 90 * np.cos(np.pi / 6), 45.0
+    front = np.array([[200.0, 220], [200 + c, 220 - s], [200, 220 - 2 * s], [200 - c, 220 - s]])
+    picture = prism(front, front + [0, 90.0], "removed")
+    assert seen_in(picture, Rings((front,), (front + [0, 90.0],)))["doubled"] < 0.1
