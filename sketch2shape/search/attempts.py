@@ -7,7 +7,7 @@ A round traces strokes, joins their ends to corners, asks both face separators (
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 
@@ -60,12 +60,14 @@ class Attempt:
     traced    : the drawing as the round saw it
     shortlist : the best few hypotheses, the best first
     sheet     : what they were compared with
+    is_whole  : whether every source has been asked
     """
 
     number: int
     traced: Traced
     shortlist: list[Judged]
     sheet: Sheet
+    is_whole: bool = True
 
     @property
     def score(self) -> float:
@@ -177,7 +179,7 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     found: list[Attempt] = []
     early = _early(looks)
     for look in early:
-        yield look.wires
+        yield replace(look.wires, is_whole=False)
     for look in looks:
         if look.number == 1 and found and found[-1].is_sound:
             continue

@@ -140,7 +140,7 @@ def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found
             break
         found += [_compared(f, view) for f in _refined_of(attempt) if not any(_is_same(f, g) for g in found)]
         before, best = best, _best(found)
-        stale = 0 if best is not before and not _is_same(before, best) else stale + 1
+        stale = 0 if best is not before and not _is_same(before, best) else stale + attempt.is_whole
         if best is not None and (_leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
             break
     return best

@@ -249,8 +249,8 @@ def test_an_isometric_cube_becomes_a_cube_on_the_table(tmp_path):
     right, left, up = side * np.array([c, -s]), side * np.array([-c, -s]), side * np.array([0.0, -1.0])
     corner = np.array([320.0, 460.0])
     sheet = np.full((640, 640), 255, np.uint8)
-    for a, b in ((right, left), (right, up), (left, up)):
-        ring = [corner, corner + a, corner + a + b, corner + b]
+    for start, a, b in ((corner + up, right, left), (corner, right, up), (corner, left, up)):
+        ring = [start, start + a, start + a + b, start + b]
         cv2.polylines(sheet, [np.round(ring).astype(np.int32)], True, 0, 3, cv2.LINE_AA)
     cv2.imwrite(str(tmp_path / "iso_cube.png"), sheet)
     assert main([str(tmp_path / "iso_cube.png"), "-o", str(tmp_path / "cube.stl"), "--width", "40mm"]) == 0
