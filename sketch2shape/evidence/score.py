@@ -24,6 +24,10 @@ PERFECT = 0.995
 """Score that leaves nothing to be found."""
 FIRST_LOOK = 16
 """Samples of an edge at the first, quick look."""
+WHOLE = 0.75
+"""Fraction of an edge with ink from which on it is drawn."""
+DOUBTFUL = 0.1
+"""Fraction of an edge by which a first look at a few samples may miss its ink."""
 NOTABLE = 0.06
 """Length of a front edge, as a part of the longest, below which its ink is not asked for."""
 SLACK = 1.3
@@ -71,7 +75,12 @@ def most_possible(stacked: Stack, sheet: Sheet) -> Floats:
     ok = whole & ((share[:, 1] > 0.35).sum(axis=1) >= 2) & (share[:, 2] > 0.35).any(axis=1)
     weakest = np.where(front > NOTABLE * front.max(axis=1, keepdims=True), share[:, 0], 1.0).min(axis=1)
     explained = np.minimum(1.0, SLACK * (share * length).sum(axis=(1, 2)) / sheet.ink)
-    return np.asarray(ok * 2 * explained / (1 + explained) * np.minimum(1.0, 0.5 + 0.5 * (weakest + 0.1) / 0.75))
+    return np.asarray(ok * 2 * explained / (1 + explained) * _held_by(weakest + DOUBTFUL))
+
+
+def _held_by(weakest: Floats) -> Floats:
+    """(b,) factor on the score of hypotheses whose weakest edges have so much ink: one edge without any halves it."""
+    return np.minimum(1.0, 0.5 + 0.5 * weakest / WHOLE)
 
 
 def judge(rings: Rings, sheet: Sheet) -> Evidence:
@@ -110,7 +119,7 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     explained = _explained(points, shown, sheet)
     drawn = _drawn(near & shown, stacked.frame)
     score = 2 * support * explained / (support + explained + 1e-9)
-    score *= np.minimum(1.0, 0.5 + 0.5 * weakest / 0.75)
+    score *= _held_by(weakest)
     # who dashes hidden edges dashes all of them
     score *= np.where(dashed, np.minimum(1.0, 0.85 + 0.15 * faintest / 0.25), 1.0)
     # a face alone, with all that would make it an object hidden behind it

@@ -118,9 +118,7 @@ def _close(u: Floats, v: Floats) -> Bools:
 def _links(graph: CornerGraph, rungs: Ints) -> Bools:
     """(m, m): whether rungs (a, a') and (b, b') have ink from a to b and from a' to b'."""
     a, b = rungs[:, 0], rungs[:, 1]
-    links = graph.inked[np.ix_(a, a)] & graph.inked[np.ix_(b, b)]
-    links &= (a[:, None] != b[None]) | (a[:, None] == b[None])
-    return np.asarray(links)
+    return np.asarray(graph.inked[np.ix_(a, a)] & graph.inked[np.ix_(b, b)])
 
 
 def _from_one(graph: CornerGraph, rungs: Ints, links: Bools) -> Floats:

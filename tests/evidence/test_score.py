@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, line, outline, prism, sheet_of, shrunk
 
-from sketch2shape.evidence.score import judge, judge_all, judge_stack, most_possible
+from sketch2shape.evidence.score import is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.hypotheses.hypothesis import Rings, stack
 
 BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
@@ -86,3 +86,13 @@ def test_no_score_is_higher_than_the_first_look_allows(lines):
         possible = most_possible(stacked, sheet)
         for bound, evidence in zip(possible, judge_stack(stacked, sheet), strict=True):
             assert bound == 0 or evidence.score <= bound + 0.02
+
+
+@pytest.mark.parametrize(("lines", "dashed"), [("wire", False), ("dashed", True), ("removed", True)])
+def test_hidden_edges_with_clearly_less_ink_than_visible_ones_are_dashed(lines, dashed):
+    assert is_dashed(BOX, sheet_of(prism(SQUARE, SQUARE + DEPTH, lines), 9.0)) is dashed
+
+
+def test_nothing_is_dashed_where_nothing_is_hidden():
+    flat = Rings((SQUARE,), (shrunk(SQUARE, 0.4, SQUARE.mean(axis=0)),))
+    assert not is_dashed(flat, sheet_of(prism(*(r[0] for r in flat))))

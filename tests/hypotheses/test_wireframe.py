@@ -6,7 +6,17 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, shrunk
 
 from sketch2shape.geometry import homology
 from sketch2shape.hypotheses.hypothesis import Rings
-from sketch2shape.hypotheses.wireframe import CornerGraph, cycles, ladders, ring_pair, with_holes
+from sketch2shape.hypotheses.wireframe import (
+    CornerGraph,
+    Ladder,
+    _runs_through,
+    cycles,
+    ladders,
+    likely_cycles,
+    loose_ladders,
+    ring_pair,
+    with_holes,
+)
 from sketch2shape.model.drawing import ring_edges
 
 
@@ -105,3 +115,30 @@ def test_what_lies_inside_both_rings_becomes_a_hole():
     # a hole within a hole is none
     smaller = SQUARE.mean(axis=0) + 0.2 * (SQUARE - SQUARE.mean(axis=0))
     assert len(with_holes(outer, [Rings((smaller,), (smaller + DEPTH,)), inner]).front) == 2
+
+
+def test_a_link_past_a_corner_of_both_faces_runs_through_and_is_left_for_later():
+    front = np.array([[0.0, 0], [100, 0], [200, 1], [100, 150]])
+    back = front + [60, -40]
+    points = np.concatenate([front, back])
+    inked = ~np.eye(8, dtype=bool)
+    rungs = np.stack([np.arange(4), np.arange(4) + 4], axis=1)
+    ladder = Ladder(homology.translation(np.array([[60.0, -40]]))[0], rungs, ~np.eye(4, dtype=bool))
+    graph = CornerGraph(points, inked, 5.0)
+    through = _runs_through(ladder, graph)
+    assert [tuple(p) for p in np.argwhere(np.triu(through))] == [(0, 2)]
+    found = [sorted(c.tolist()) for c in likely_cycles(ladder, graph, 100, iter(range(1000)))]
+    assert found.index([0, 1, 2, 3]) < found.index([0, 2, 3])
+    bent = CornerGraph(points + np.where(np.arange(8)[:, None] == 5, [0.0, 30.0], 0.0), inked, 5.0)
+    assert not _runs_through(ladder, bent).any()
+
+
+def test_a_careless_hand_misses_every_map_and_is_read_all_the_same():
+    back = SQUARE + DEPTH + [[-14.0, 9], [12, -11], [-9, -13], [13, 10]]
+    graph = graph_of((SQUARE, back))
+    loose = {
+        frozenset(frozenset(map(tuple, r.round().tolist())) for r in (pair.front[0], pair.back[0]))
+        for ladder in loose_ladders(graph)
+        for pair in (ring_pair(ladder, graph, c) for c in cycles(ladder, iter(range(2000))))
+    }
+    assert faces(SQUARE, back) in loose
