@@ -43,7 +43,7 @@ def reconstruct(
     source      : path, bytes, open file, PIL image, array or `Picture`, see `read_picture`
     connector   : orders the vertices of each face where the ink agrees: "auto", a method of `connect`, or "ink"
     detector    : "shi-tomasi" ("goodFeaturesToTrack"), "harris" or "both" have to see the vertices found, or
-                  confidence falls; "auto" asks both where there is doubt
+                  confidence falls; "auto" asks neither
     limits      : what is refused before decoding
     lift        : how to read the third dimension: `LiftOptions`, or its fields by name
     corrections : what a person put right by hand, or the JSON of their file; complete ones replace the reading

@@ -1,7 +1,7 @@
 """Attempts: what each round makes of a drawing.
 
-A round traces strokes, joins their ends to corners, asks both face separators (`separate` where all edges are drawn,
-`caps` where the back is dashed or missing) for hypotheses, best first and within a budget, and has them verified.
+A round traces strokes, joins their ends to corners, asks the sources (`wireframe` where all edges are drawn,
+`opaque` where the back is dashed or missing) for hypotheses, best first and within a budget, and has them verified.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from sketch2shape.search.tolerances import CLOSE, Round, Traced, corner_graph, i
 from sketch2shape.strokes import Skeleton, crossed
 
 GOOD = 0.98
-"""Score of an answer that only has to hold against those of the next round."""
+"""Score from which on a round asks no further source, and an answer may end the search."""
 POOR = 0.8
-"""A round whose best hypothesis scores less is refined only if no other round does better."""
+"""Least score of an answer all of which is drawn."""
 MOST_STEPS = 24000
 """Steps of the search for cycles in one round, ..."""
 MOST_STEPS_IN_ALL = 2 * MOST_STEPS

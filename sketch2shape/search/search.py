@@ -1,8 +1,8 @@
 """Search: from the ink of one object to the best verified hypothesis.
 
-Nobody knows beforehand how straight a drawing's lines are, so the search runs in rounds of growing tolerance
-(`attempts`) and stops at the first that explains the drawing. What could win is refined; an answer that is good but not
-perfect has to hold against the next round.
+Nobody knows beforehand how straight a drawing's lines are, so hypotheses are looked for in rounds of growing tolerance
+(`attempts`). Those that could win are refined and priced by one energy under the noise of one hand; the cheapest holds.
+The search ends when no other could save as much as it would cost, or when more rounds bring nothing new.
 """
 
 from __future__ import annotations
