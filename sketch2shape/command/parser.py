@@ -124,7 +124,7 @@ def _method_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--connector", metavar="NAME", default="auto", help="orders face vertices (default auto)")
     group.add_argument(
         "--detector", choices=("auto", "both", "shi-tomasi", "harris"), default="auto", type=_detector,
-        help="corner detector that has to see the vertices found (default: both, where there is doubt)",
+        help="corner detector that has to see the vertices found (default: none has to)",
     )  # fmt: skip
     group.add_argument("--vertices", metavar="FILE.json", help="what was put right by hand (or an edited report)")
     group.add_argument(

@@ -33,6 +33,14 @@ WITNESSES = (
     "map",
 )
 """Names of the witnesses, in order."""
+TOUCHING = 0.03
+"""Fraction of the drawing's size up to which a path touches the object."""
+MOSTLY = 0.5
+"""Fraction of a path that is unexplained from which on all of it is foreign."""
+ONE_WAY, SHORT = 0.1, 0.05
+"""Radians between edges of one direction, and length of an edge over the longest below which it has none."""
+LEAST_POINTS = 8
+"""Points of ink from which the bow of an edge can be told."""
 BESIDE = 0.35
 """Pens between two edges drawn along each other."""
 HALF_SEEN = 0.5
@@ -83,7 +91,7 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
 
 def _attached(view: View, left: Bools, distance: Floats, size: float) -> float:
     """Length of unexplained paths that touch the object, pixels."""
-    touching = np.unique(view.path[left & (distance < 0.03 * size)])
+    touching = np.unique(view.path[left & (distance < TOUCHING * size)])
     return float(view.length[left & np.isin(view.path, touching)].sum())
 
 
@@ -94,7 +102,7 @@ def _closed(view: View, left: Bools) -> float:
     share = np.bincount(view.path, left, minlength=int(view.path.max(initial=0)) + 1) / np.maximum(
         np.bincount(view.path), 1
     )
-    for k in mine[share[mine] > 0.5]:
+    for k in mine[share[mine] > MOSTLY]:
         path = view.skeleton.paths[k]
         raster[path[:, 1], path[:, 0]] = 1
     closed = cv2.dilate(raster, np.ones((3, 3), np.uint8))
@@ -114,7 +122,7 @@ def _bow(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floa
     ms, mo = np.bincount(e, shape, len(a)) / n, np.bincount(e, off, len(a)) / n
     cov, var = np.bincount(e, (shape - ms[e]) * (off - mo[e]), len(a)), np.bincount(e, (shape - ms[e]) ** 2, len(a))
     # ink along a part of an edge says nothing of how the whole bows
-    some = (n >= 8) & (var >= SPANNED * n)
+    some = (n >= LEAST_POINTS) & (var >= SPANNED * n)
     return float(np.sqrt(np.mean((cov[some] / var[some]) ** 2))) if some.any() else 0.0
 
 
@@ -122,10 +130,10 @@ def _directions(span: Floats, length: Floats) -> int:
     """Directions that the edges have, to within some six degrees."""
     found: list[float] = []
     for k in np.argsort(-length):
-        if length[k] < 0.05 * length.max():
+        if length[k] < SHORT * length.max():
             break
         angle = float(np.arctan2(span[k, 1], span[k, 0]) % np.pi)
-        if all(min(abs(angle - f), np.pi - abs(angle - f)) > 0.1 for f in found):
+        if all(min(abs(angle - f), np.pi - abs(angle - f)) > ONE_WAY for f in found):
             found.append(angle)
     return len(found)
 
@@ -137,7 +145,7 @@ def _doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: floa
     to = p[:, None] - a
     along, across = (to * u).sum(axis=2), np.abs(to[..., 0] * u[:, 1] - to[..., 1] * u[:, 0])
     beside = ((across <= reach) & (along >= 0) & (along <= length)).reshape(len(a), -1, len(a))
-    beside &= (np.abs(u[:, None, 0] * u[:, 1] - u[:, None, 1] * u[:, 0]) < 0.1)[:, None]
+    beside &= (np.abs(u[:, None, 0] * u[:, 1] - u[:, None, 1] * u[:, 0]) < ONE_WAY)[:, None]
     beside[np.arange(len(a)), :, np.arange(len(a))] = False
     beside &= shown > HALF_SEEN
     seen = length * shown

@@ -22,6 +22,10 @@ KEPT = 10
 """Unions of one size that grow on."""
 MOST_PARTS = 6
 """Regions in a union."""
+MOST_UNIONS = 400
+"""Unions of one size that are looked at."""
+DENT_PRICE = 10.0
+"""Vertices that are as unlikely as a union which fills none of its convex hull."""
 NOTCH = 3.0
 """Half the width of notches between the parts of a union, over the gap between regions."""
 MOST_VERTICES = 16
@@ -50,7 +54,7 @@ def united(regions: list[Region], pen: float, tolerance: float) -> Iterator[Regi
 def _ranked(
     unions: set[frozenset[int]], shapes: list[BaseGeometry], gap: float, tolerance: float
 ) -> Iterator[tuple[tuple[float, float], Region, frozenset[int]]]:
-    for members in sorted(unions, key=sorted)[:400]:
+    for members in sorted(unions, key=sorted)[:MOST_UNIONS]:
         whole = unary_union([shapes[i] for i in sorted(members)])
         # where a line met the outline it has cut off tips: notches between the parts
         whole = whole.buffer(NOTCH * gap, join_style="mitre").buffer(-(NOTCH + 1.0) * gap, join_style="mitre")
@@ -59,7 +63,7 @@ def _ranked(
         outline = _simplified(np.array(whole.exterior.coords[:-1]), tolerance + 0.35 * gap)
         if 3 <= len(outline) <= MOST_VERTICES:
             dents = 1.0 - float(area(whole) / max(float(area(convex_hull(whole))), 1.0))
-            yield (len(outline) + 10.0 * dents, -float(area(whole))), Region(outline), members
+            yield (len(outline) + DENT_PRICE * dents, -float(area(whole))), Region(outline), members
 
 
 def _simplified(outline: Floats, tolerance: float) -> Floats:
