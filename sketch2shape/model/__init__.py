@@ -23,7 +23,7 @@ from sketch2shape.model.boundary import (
     polyhedron,
     two_face_boundary,
 )
-from sketch2shape.model.drawing import FacePair, Lines, TwoFaceObject, ring_edges
+from sketch2shape.model.drawing import DrawnArc, Ellipse, FacePair, Lines, TwoFaceObject, ring_edges
 from sketch2shape.model.picture import Ink, Picture, to_picture, to_working
 from sketch2shape.model.solid import Alternative, Projection, Solid
 
@@ -36,7 +36,9 @@ __all__ = [
     "Brief",
     "Curve",
     "DirectedEdge",
+    "DrawnArc",
     "Edge",
+    "Ellipse",
     "Face",
     "FacePair",
     "Floats",

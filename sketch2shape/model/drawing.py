@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -15,12 +15,51 @@ Lines = Literal["wire", "dashed", "removed"]
 """How hidden edges are drawn: like all others, dashed (or dotted), or not at all."""
 
 
+Side = Literal["f1", "f2"]
+"""One of the two faces."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Ellipse(Brief):
+    """An ellipse in the picture's plane.
+
+    center : (2,) float pixels
+    axes   : half axes, pixels, the longer one first
+    angle  : of the longer axis, degrees from x towards y, 0..180
+    """
+
+    center: Floats
+    axes: tuple[float, float]
+    angle: float
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class DrawnArc(Brief):
+    """A curved edge of a ring as drawn: a piece of the ellipse that a circular arc is seen as.
+
+    face       : the face whose ring it belongs to
+    hole       : number of the hole; None for the outer ring
+    start, end : vertices of the ring that it joins, end the one after start; None, None for a whole ellipse, the only
+                 edge of a ring without vertices
+    ellipse    : what it is a piece of
+    points     : (k, 2) float pixels, at least 9, along it from start to end (once round, the first not repeated, where
+                 it is whole)
+    """
+
+    face: Side
+    hole: int | None
+    start: int | None
+    end: int | None
+    ellipse: Ellipse
+    points: Floats
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class FacePair(Brief):
     """Two corresponding rings: f1[i] joins f2[i].
 
-    f1 : (n, 2) float, pixels, ring order
-    f2 : (n, 2) float, pixels, same order
+    f1 : (n, 2) float, pixels, ring order; none for a whole ellipse
+    f2 : (n, 2) float, pixels, same order; (1, 2) where the object comes to a point
     """
 
     f1: Floats
@@ -35,7 +74,8 @@ class FacePair(Brief):
 class TwoFaceObject(Brief):
     """The object found in a drawing, in the picture's plane.
 
-    f1, f2     : (n, 2) float pixels, front and back face in ring order, f1[i] joins f2[i]
+    f1, f2     : (n, 2) float pixels, front and back face in ring order, f1[i] joins f2[i]; f2 is (1, 2) where the
+                 object comes to a point (pyramid, cone); a ring that is one whole ellipse has no vertices
     holes      : through-holes, each a pair of corresponding rings
     confidence : 0..1, calibrated: of answers >= 0.9 at least 99 in 100 are right
     lines      : how hidden edges are drawn
@@ -43,6 +83,8 @@ class TwoFaceObject(Brief):
     connectors : name of the connector that gave the order of f1 and of f2 ("ink" where the drawing decided)
     noise      : rms distance between model and ink, pixels
     page       : (3, 3) homography that rectifies a page photographed at a tilt, or None
+    arcs       : the curved edges of all rings of both faces; all other edges are straight
+    silhouettes : (s, 2, 2) float pixels, the straight outlines of its curved sides
     """
 
     f1: Floats
@@ -54,6 +96,8 @@ class TwoFaceObject(Brief):
     connectors: tuple[str, str] = ("ink", "ink")
     noise: float = 0.0
     page: Floats | None = None
+    arcs: tuple[DrawnArc, ...] = ()
+    silhouettes: Floats = field(default_factory=lambda: np.zeros((0, 2, 2)), repr=False)
 
     def __post_init__(self) -> None:
         """Take lists and OpenCV's (n, 1, 2) too, and holes as (f1, f2). Raises PointsError for what is none."""
@@ -76,13 +120,26 @@ class TwoFaceObject(Brief):
 
     @property
     def edges(self) -> Ints:
-        """(3m, 2) indices into `vertices`: front, back and connecting edges of each ring in turn."""
-        return ring_edges([len(r.f1) for r in self.rings])
+        """(e, 2) indices into `vertices`: front, back and connecting edges of each ring in turn; 3m without a point."""
+        return ring_edges([len(r.f1) for r in self.rings], pointed=self.is_pointed)
+
+    @property
+    def is_pointed(self) -> bool:
+        """Whether the back face is one point: a pyramid or a cone."""
+        return len(self.f2) == 1
+
+    @property
+    def is_round(self) -> bool:
+        """Whether some edge is curved."""
+        return bool(self.arcs)
 
     def swapped(self) -> TwoFaceObject:
-        """The same object with f1 and f2 (and those of the holes) exchanged."""
+        """The same object with f1 and f2 (and those of the holes) exchanged. Raises PointsError if it has a point."""
+        if self.is_pointed:
+            raise PointsError("the point of a pyramid or a cone cannot be the front face")
         holes = tuple(FacePair(h.f2, h.f1) for h in self.holes)
-        return replace(self, f1=self.f2, f2=self.f1, holes=holes, connectors=self.connectors[::-1])
+        arcs = tuple(replace(arc, face="f2" if arc.face == "f1" else "f1") for arc in self.arcs)
+        return replace(self, f1=self.f2, f2=self.f1, holes=holes, arcs=arcs, connectors=self.connectors[::-1])
 
 
 def _settle_rings(pair: FacePair | TwoFaceObject) -> None:
@@ -102,17 +159,29 @@ def as_ring(points: ArrayLike, name: str) -> Floats:
         raise PointsError(f"{name} must be points (n, 2)") from error
     if ring.ndim == 3 and ring.shape[1] == 1:
         ring = ring[:, 0]
+    if ring.shape == (0,):
+        ring = ring.reshape(0, 2)
     if ring.ndim != 2 or ring.shape[1] != 2:
         raise PointsError(f"{name} has the shape {ring.shape}, not (n, 2)")
     return ring
 
 
-def ring_edges(sizes: list[int]) -> Ints:
-    """(3m, 2) edges of a two-face object with rings of these sizes (sum m); order as in `TwoFaceObject.edges`."""
-    half, start, blocks = sum(sizes), 0, []
+def ring_edges(sizes: list[int], *, pointed: bool = False) -> Ints:
+    """(e, 2) edges of a two-face object with rings of these sizes (sum m); order as in `TwoFaceObject.edges`.
+
+    pointed : is the back of the one ring a single vertex, m?
+
+    A ring without vertices (a whole ellipse) has no edges here, a ring of two has one each way. Raises PointsError for
+    holes beside a point.
+    """
+    if pointed and len(sizes) > 1:
+        raise PointsError("an object that comes to a point has no holes")
+    half, start, blocks = sum(sizes), 0, [np.zeros((0, 2), np.intp)]
     for n in sizes:
         a = np.arange(start, start + n)
-        b = np.append(a[1:], start)
-        blocks += [np.stack([a, b], axis=1), np.stack([a, b], axis=1) + half, np.stack([a, a + half], axis=1)]
+        b = np.roll(a, -1)
+        back = [] if pointed else [np.stack([a, b], axis=1) + half]
+        ends = np.full(n, half) if pointed else a + half
+        blocks += [np.stack([a, b], axis=1), *back, np.stack([a, ends], axis=1)]
         start += n
     return np.concatenate(blocks).astype(np.intp)
