@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from sketch2shape.conversion.options import products_of
 from sketch2shape.errors import UnreadableError, UsageError
-from sketch2shape.pipeline.products import suffix
 from sketch2shape.reading.read import SUFFIXES as PICTURE_ENDINGS
+from sketch2shape.writing.formats import FORMATS
 
 _LENGTH_UNITS = frozenset({"px", "mm", "cm", "m", "in", "inch"})
 
@@ -55,6 +55,4 @@ def check_effects(arguments: Namespace, products: Sequence[str] | None = None) -
 
 def _is_output(ending: str) -> bool:
     """Whether a file of this ending is something that is written."""
-    from sketch2shape.export import FORMATS
-
-    return bool(ending) and any(suffix(product) == ending for product in (*FORMATS, "json", "html"))
+    return ending.removeprefix(".") in {end for format in FORMATS.values() for end in format.endings}

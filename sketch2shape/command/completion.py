@@ -6,6 +6,8 @@ import argparse
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from sketch2shape.writing.formats import FORMATS
+
 SHELLS = ("bash", "zsh", "fish")
 
 _BASH = """_sketch2shape() {{
@@ -58,9 +60,7 @@ def _choices(parser: argparse.ArgumentParser) -> Iterator[tuple[list[str], list[
     """Options that take one of a few words, and the words."""
     for action in parser._actions:
         if "--format" in action.option_strings:
-            from sketch2shape.conversion.options import known_formats
-
-            yield list(action.option_strings), known_formats()
+            yield list(action.option_strings), [*FORMATS]
         elif action.choices:
             yield list(action.option_strings), [str(choice) for choice in action.choices]
 

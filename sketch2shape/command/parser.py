@@ -14,6 +14,7 @@ from sketch2shape.command.completion import PrintCompletion
 from sketch2shape.errors import Sketch2ShapeError, one_line
 from sketch2shape.processes.threads import compute_in_one_thread
 from sketch2shape.writing import occupy_descriptors, tell
+from sketch2shape.writing.formats import FORMATS, Group, named
 
 _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight solid.
 
@@ -26,12 +27,6 @@ _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight 
 _EPILOG = """exit codes: 0 all done, 1 bug, 2 usage, 3 some inputs failed, 4 input unreadable or not an image,
 5 no two-face object found, 6 limit exceeded, 7 cannot write, 8 optional package missing, 130 interrupted"""
 
-_PICTURES = {
-    "overlay": "PNG of the object drawn over the drawing",
-    "stages": "PNG that shows each stage",
-    "preview": "PNG of the shaded solid",
-    "html": "page with the turning solid, needs no network",
-}
 _UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}
 
 
@@ -99,17 +94,22 @@ def _output_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     group.add_argument(
         "-f", "--format", metavar="FORMAT", action="append", default=[],
-        help="format where OUT is a folder or -: obj (default), stl, stl-ascii, ply, glb, 3mf, off, step, "
-        "svg and dxf (the drawing), face.svg and face.dxf (the true face), json, overlay, stages, preview, html; "
-        "several: obj,stl",
+        help=f"format where OUT is a folder or -: obj by default; of {_known()}; several: obj,stl",
     )  # fmt: skip
-    for product, what in _PICTURES.items():
+    for product in named("picture"):
+        what = FORMATS[product].what
         group.add_argument(f"--{product}", metavar="FILE", help=f"{what}; for folders use --format {product}")
     group.add_argument("--json", action="store_true", help="write the report NAME.json beside each mesh")
     group.add_argument("--timings", action="store_true", help="reports tell the time of each stage")
     existing = group.add_mutually_exclusive_group()
     existing.add_argument("--overwrite", action="store_true", help="replace outputs that exist (default: refuse)")
     existing.add_argument("--versioned", action="store_true", help="keep outputs that exist, write NAME.2.obj")
+
+
+def _known() -> str:
+    """The formats by what they hold, as in "solids obj, stl; reports json"."""
+    groups: tuple[Group, ...] = ("solid", "program", "plan", "drawing", "report", "picture")
+    return "; ".join(f"{group}s {', '.join(names)}" for group in groups if (names := named(group)))
 
 
 def _reading_options(parser: argparse.ArgumentParser) -> None:

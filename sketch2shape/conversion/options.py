@@ -4,14 +4,7 @@ from __future__ import annotations
 
 from argparse import Namespace
 
-from sketch2shape.pipeline.products import SUFFIXES, suffix
-
-
-def known_formats() -> list[str]:
-    """All that --format knows."""
-    from sketch2shape.export import FORMATS
-
-    return [*FORMATS, *SUFFIXES]
+from sketch2shape.pipeline.products import suffix
 
 
 def wants_pages(arguments: Namespace) -> bool:

@@ -9,30 +9,18 @@ from typing import Any
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.export.units import in_millimetres
 from sketch2shape.model import Answer, Solid
+from sketch2shape.writing import formats
 
 #: format -> what it is
 FORMATS: dict[str, str] = {
-    "obj": "Wavefront OBJ",
-    "stl": "binary STL",
-    "stl-ascii": "STL as text",
-    "ply": "binary PLY",
-    "glb": "binary glTF",
-    "3mf": "3MF for 3-D printing, with its unit",
-    "off": "OFF as text",
-    "step": "STEP AP214 with plane faces, for CAD",
-    "svg": "the cleaned drawing, visible and hidden lines in groups",
-    "dxf": "the cleaned drawing, visible and hidden lines on layers",
-    "face.svg": "the true front face laid flat",
-    "face.dxf": "the true front face laid flat",
+    name: formats.FORMATS[name].what for name in formats.named("solid", "program", "plan", "drawing")
 }
 
 #: formats that hold the solid itself
-MESH_FORMATS = ("obj", "stl", "stl-ascii", "ply", "glb", "3mf", "off", "step")
+MESH_FORMATS = formats.named("solid")
 
 #: formats that have no word for the unit: programs take their numbers as millimetres
 _UNITLESS = ("obj", "stl", "stl-ascii", "ply", "off")
-
-_SUFFIXES = {**{name: name for name in FORMATS if name != "stl-ascii"}, "stp": "step"}
 
 #: formats that need the objects in the picture besides the solids
 _DRAWINGS = ("svg", "dxf")
@@ -63,12 +51,12 @@ def encode(result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool
 
 def format_of(path: str | PurePath) -> str:
     """The format meant by a file name: "a.stl" is "stl", "a.face.dxf" is "face.dxf". Raises UsageError if none is."""
-    suffixes = [s.lower().lstrip(".") for s in PurePath(path).suffixes]
-    for name in (".".join(suffixes[-2:]), *suffixes[-1:]):
-        if name in _SUFFIXES:
-            return _SUFFIXES[name]
-    last = suffixes[-1] if suffixes else ""
-    raise UsageError(f"no format has the extension {last!r}", remedy=f"one of {', '.join(_SUFFIXES)}")
+    name = formats.meant_by(PurePath(path).name)
+    if name in FORMATS:
+        return name
+    endings = dict.fromkeys(end for known in FORMATS for end in formats.FORMATS[known].endings)
+    last = PurePath(path).suffix.lower().lstrip(".")
+    raise UsageError(f"no format has the extension {last!r}", remedy=f"one of {', '.join(endings)}")
 
 
 def _drawing(result: Answer, format: str) -> bytes:

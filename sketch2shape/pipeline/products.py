@@ -4,24 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from difflib import get_close_matches
+from pathlib import PurePath
 from types import ModuleType
 from typing import Any
 
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Answer
 from sketch2shape.pipeline.report import encode_report, report
+from sketch2shape.writing import formats
 
 #: products that are no mesh -> ending of their files
-SUFFIXES: dict[str, str] = {
-    "json": ".json",
-    "overlay": ".overlay.png",
-    "stages": ".stages.png",
-    "preview": ".preview.png",
-    "html": ".html",
-}
+SUFFIXES: dict[str, str] = {name: formats.ending(name) for name in formats.named("report", "picture")}
 
 #: products that are pictures of one result, each with an option of its name
-PICTURES = ("overlay", "stages", "preview", "html")
+PICTURES = formats.named("picture")
 
 #: products that are no mesh -> function of the result that gives the bytes
 ENCODERS: dict[str, Callable[[Answer], bytes]] = {
@@ -42,18 +38,13 @@ def _pictures() -> ModuleType:
 
 def suffix(product: str) -> str:
     """Ending of the files of a product: ".json", ".obj", ... Raises UsageError for an unknown one."""
-    if product in SUFFIXES:
-        return SUFFIXES[product]
-    from sketch2shape.export import FORMATS
-
-    if product not in FORMATS:
-        known = [*FORMATS, *SUFFIXES]
-        near = get_close_matches(product, known, n=1)
+    if product not in formats.FORMATS:
+        near = get_close_matches(product, formats.FORMATS, n=1)
         raise UsageError(
             f"no format is called {product!r}",
-            remedy=f"--format {near[0] if near else 'with one of ' + ', '.join(known)}",
+            remedy=f"--format {near[0] if near else 'with one of ' + ', '.join(formats.FORMATS)}",
         )
-    return "." + product.partition("-")[0]
+    return formats.ending(product)
 
 
 def infixed(path: str, product: str, infix: str) -> str:
@@ -67,16 +58,12 @@ def infixed(path: str, product: str, infix: str) -> str:
 
 def product_of(name: str) -> str:
     """The product meant by a file name. Raises UsageError."""
-    for product, ending in SUFFIXES.items():
-        if name.lower().endswith(ending):
-            return product
-    from sketch2shape.export import FORMATS, format_of
-
-    try:
-        return format_of(name)
-    except UsageError as error:
-        endings = [ending for ending in dict.fromkeys([*map(suffix, FORMATS), *SUFFIXES.values()])]
-        raise UsageError(error.message, remedy=f"one of {', '.join(e.removeprefix('.') for e in endings)}") from None
+    product = formats.meant_by(name)
+    if product is None:
+        last = PurePath(name).suffix.lower().lstrip(".")
+        endings = dict.fromkeys(end for format in formats.FORMATS.values() for end in format.endings)
+        raise UsageError(f"no format has the extension {last!r}", remedy=f"one of {', '.join(endings)}")
+    return product
 
 
 def encode_product(product: str, result: Answer, options: dict[str, Any]) -> bytes:

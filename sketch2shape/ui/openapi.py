@@ -5,27 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from sketch2shape import __version__
+from sketch2shape.writing.formats import FORMATS
 
 #: product -> media type of the answer
-MEDIA = {
-    "json": "application/json",
-    "obj": "model/obj",
-    "stl": "model/stl",
-    "stl-ascii": "model/stl",
-    "ply": "application/octet-stream",
-    "off": "text/plain",
-    "glb": "model/gltf-binary",
-    "3mf": "model/3mf",
-    "step": "model/step",
-    "svg": "image/svg+xml",
-    "dxf": "image/vnd.dxf",
-    "face.svg": "image/svg+xml",
-    "face.dxf": "image/vnd.dxf",
-    "overlay": "image/png",
-    "stages": "image/png",
-    "preview": "image/png",
-    "html": "text/html; charset=utf-8",
-}
+MEDIA = {name: format.media for name, format in FORMATS.items()}
 
 #: option in the query -> (type, what it means)
 OPTIONS = {
