@@ -27,7 +27,7 @@ from sketch2shape.lifting import choose_front, lift
 from sketch2shape.model.arrays import Floats, Ints
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.solid import Solid
-from sketch2shape.solids import triangulated
+from sketch2shape.solids import tessellated
 
 NOISES = (0.0, 0.5, 1.0, 2.0)
 #: times that noise is added anew to each drawing
@@ -177,7 +177,7 @@ def _group(truth: dict[str, Any], family: str) -> str:
 def _valid(solid: Solid) -> bool:
     size = np.abs(solid.vertices - solid.vertices.mean(axis=0)).max()
     vertices = (solid.vertices - solid.vertices.mean(axis=0)) / size
-    mesh = manifold3d.Mesh(vertices.astype(np.float32), triangulated(solid).astype(np.uint32))
+    mesh = manifold3d.Mesh(vertices.astype(np.float32), tessellated(solid.boundary).triangles.astype(np.uint32))
     body = manifold3d.Manifold(mesh)
     volume = body.volume() * size**3
     return body.status() == manifold3d.Error.NoError and abs(volume - solid.volume) <= 1e-3 * solid.volume

@@ -7,13 +7,14 @@ in its own plane, at full size: what one would cut or print to fold, mill or tra
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
 from sketch2shape.export.mesh import settled
-from sketch2shape.model import Floats, Solid, TwoFaceObject
-from sketch2shape.solids import edge_runs, front_rings
+from sketch2shape.model import Solid, TwoFaceObject
+from sketch2shape.solids import DrawnLine, FlatRing, drawn_lines, front_outline
 
 LAYERS = ("visible", "hidden")
 
@@ -27,30 +28,6 @@ _STROKE = 0.003
 _DXF_UNITS = {"px": 0, "in": 1, "mm": 4, "cm": 5, "m": 6}
 
 _SVG = '<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{x:.9g} {y:.9g} {w:.9g} {h:.9g}">\n{body}\n</svg>\n'
-
-
-@dataclass(frozen=True)
-class DrawnLine:
-    """A piece of an edge in the drawing.
-
-    start, end : (2,) pixels
-    visible    : is no face in front of it?
-    edge       : row of `TwoFaceObject.edges` it belongs to
-    """
-
-    start: Floats
-    end: Floats
-    visible: bool
-    edge: int
-
-
-def drawn_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
-    """The object's edges as drawn lines, cut where they pass in or out of sight, in the order of `obj.edges`."""
-    points, lines = obj.vertices, []
-    for number, runs in enumerate(edge_runs(solid, points)):
-        a, b = points[solid.edge_ends[number]]
-        lines += [DrawnLine(a + t * (b - a), a + u * (b - a), visible, number) for t, u, visible in runs]
-    return lines
 
 
 def drawing_svg(objects: Sequence[TwoFaceObject], solids: Sequence[Solid], size: tuple[int, int]) -> str:
@@ -71,17 +48,18 @@ def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> st
     entities: list[str] = []
     for obj, solid in zip(objects, solids, strict=True):
         for line in drawn_lines(obj, solid):
-            (x1, y1), (x2, y2) = line.start, line.end
             layer = "VISIBLE" if line.visible else "HIDDEN"
-            entities += ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
+            for (x1, y1), (x2, y2) in pairwise(line.points):
+                entities += ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
     return _dxf({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities, "px")
 
 
 def face_svg(solids: Sequence[Solid]) -> str:
     """The true front faces side by side as SVG at full size, holes cut out; pixels become user units."""
     faces = _laid_out(solids)
-    high = max((float(np.ptp(face[0][:, 1])) for face in faces), default=1.0)
-    wide = max((float(face[0][:, 0].max()) for face in faces), default=1.0)
+    outer = [face[0].outline() for face in faces]
+    high = max((float(np.ptp(ring[:, 1])) for ring in outer), default=1.0)
+    wide = max((float(ring[:, 0].max()) for ring in outer), default=1.0)
     unit = solids[0].unit if solids else "px"
     stroke = _STROKE * max(wide, high)
     # the page is the view box, edge strokes included, at full size; SVG has no metres
@@ -97,14 +75,14 @@ def face_svg(solids: Sequence[Solid]) -> str:
 
 
 def face_dxf(solids: Sequence[Solid]) -> str:
-    """The true front faces side by side as closed DXF polylines, layers FACE and HOLES, y up, in the solids' unit."""
+    """The true front faces side by side as DXF, layers FACE and HOLES, y up, in the solids' unit.
+
+    Rings are closed polylines, with bulges where they are arcs, or circles.
+    """
     entities: list[str] = []
     for face in _laid_out(solids):
         for layer, ring in zip(["FACE"] + ["HOLES"] * (len(face) - 1), face, strict=True):
-            entities += ["0", "POLYLINE", "8", layer, "66", "1", "70", "1", *_pair(10, 0.0, 0.0), "30", "0.0"]
-            for x, y in ring:
-                entities += ["0", "VERTEX", "8", layer, *_pair(10, x, -y)]
-            entities += ["0", "SEQEND", "8", layer]
+            entities += _dxf_ring(ring, layer)
     unit = solids[0].unit if solids else "px"
     return _dxf({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities, unit)
 
@@ -113,27 +91,57 @@ def _svg_layer(lines: list[DrawnLine], layer: str) -> str:
     """One layer's lines as a single path."""
     style = ' stroke-width="1.5"' if layer == "visible" else ' stroke-width="1" stroke-dasharray="5 4"'
     shown = [line for line in lines if line.visible == (layer == "visible")]
-    path = " ".join("M{:.3f} {:.3f}L{:.3f} {:.3f}".format(*line.start, *line.end) for line in shown)
+    path = " ".join("M" + "L".join(f"{x:.3f} {y:.3f}" for x, y in line.points) for line in shown)
     return f'<g class="{layer}"{style}><path d="{path}"/></g>'
 
 
-def _laid_out(solids: Sequence[Solid]) -> list[list[Floats]]:
+def _dxf_ring(ring: FlatRing, layer: str) -> list[str]:
+    """A ring as DXF, y up: arcs then turn the other way."""
+    if ring.circle is not None:
+        (x, y), radius = ring.circle
+        return ["0", "CIRCLE", "8", layer, *_pair(10, x, -y), "40", f"{radius:.6f}"]
+    rows = ["0", "POLYLINE", "8", layer, "66", "1", "70", "1", *_pair(10, 0.0, 0.0), "30", "0.0"]
+    for (x, y), bulge in zip(ring.points, ring.bulges, strict=True):
+        rows += ["0", "VERTEX", "8", layer, *_pair(10, x, -y), *(["42", f"{-bulge:.9f}"] if bulge else [])]
+    return [*rows, "0", "SEQEND", "8", layer]
+
+
+def _laid_out(solids: Sequence[Solid]) -> list[list[FlatRing]]:
     """The rings of each front face in its own plane, from the left to the right, tops at 0."""
-    faces: list[list[Floats]] = []
-    flat = [front_rings(s) for s in solids]
-    gap = _GAP * max((float(np.ptp(face[0][:, 0])) for face in flat), default=0.0)
+    faces: list[list[FlatRing]] = []
+    flat = [front_outline(s) for s in solids]
+    outlines = [face[0].outline() for face in flat]
+    gap = _GAP * max((float(np.ptp(outline[:, 0])) for outline in outlines), default=0.0)
     left = 0.0
-    for face in flat:
-        corner = face[0].min(axis=0)
-        moved = [settled(ring - corner + [left, 0.0]) for ring in face]
-        faces.append(moved)
-        left = float(moved[0][:, 0].max()) + gap
+    for face, outline in zip(flat, outlines, strict=True):
+        corner = outline.min(axis=0)
+        shift = np.array([left, 0.0]) - corner
+        moved = [ring.moved(shift) for ring in face]
+        faces.append([replace(ring, points=settled(ring.points)) for ring in moved])
+        left = float(settled(outline + shift)[:, 0].max()) + gap
     return faces
 
 
-def _path(face: list[Floats]) -> str:
-    rings = ("L".join(f"{x:.9g} {y:.9g}" for x, y in ring) for ring in face)
-    return " ".join(f"M{ring}Z" for ring in rings)
+def _path(face: list[FlatRing]) -> str:
+    return " ".join(_svg_ring(ring) for ring in face)
+
+
+def _svg_ring(ring: FlatRing) -> str:
+    """A ring as an SVG path; a circle as two halves, since an arc needs two ends."""
+    if ring.circle is not None:
+        (x, y), r = ring.circle
+        half = f"A{r:.9g} {r:.9g} 0 0 1 "
+        return f"M{x - r:.9g} {y:.9g}{half}{x + r:.9g} {y:.9g}{half}{x - r:.9g} {y:.9g}Z"
+    steps = [f"M{ring.points[0, 0]:.9g} {ring.points[0, 1]:.9g}"]
+    for start, bulge in enumerate(ring.bulges):
+        after = (start + 1) % len(ring.points)
+        x, y = ring.points[after]
+        if bulge:
+            r = ring.radius(start)
+            steps.append(f"A{r:.9g} {r:.9g} 0 {int(abs(bulge) > 1.0)} {int(bulge > 0)} {x:.9g} {y:.9g}")
+        elif after:
+            steps.append(f"L{x:.9g} {y:.9g}")
+    return "".join(steps) + "Z"
 
 
 def _pair(code: int, x: float, y: float) -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import Any
 
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.export.units import in_millimetres
+from sketch2shape.export.units import MILLIMETRES, in_millimetres
 from sketch2shape.model import Answer, Solid
 from sketch2shape.writing import formats
 
@@ -26,11 +26,15 @@ _UNITLESS = ("obj", "stl", "stl-ascii", "ply", "off")
 _DRAWINGS = ("svg", "dxf")
 
 
-def encode(result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool = False) -> bytes:
+def encode(
+    result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool = False, tolerance: float | None = None
+) -> bytes:
     """The file's bytes for a result, a solid or several solids (one body each).
 
-    format : a key of `FORMATS`; the drawings "svg" and "dxf" need a whole result
-    ngons  : in OBJ, write whole polygons as faces instead of triangles
+    format    : a key of `FORMATS`; the drawings "svg" and "dxf" need a whole result
+    ngons     : in OBJ, write whole polygons as faces instead of triangles
+    tolerance : in meshes, the largest distance of a facet from a curved side, in the solids' unit; None for one that
+                looks smooth
 
     Raises UsageError for an unknown format, NoObjectError if there is no solid.
     """
@@ -45,8 +49,11 @@ def encode(result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool
     if not solids:
         raise NoObjectError("there is no object to write")
     if format in _UNITLESS:
+        tolerance = tolerance and tolerance * MILLIMETRES[solids[0].unit]
         solids = tuple(in_millimetres(solids))
-    return _obj(solids, ngons=ngons) if format == "obj" else _ENCODERS[format](solids)
+    if format == "obj":
+        return _obj(solids, ngons, tolerance)
+    return _EXACT[format](solids) if format in _EXACT else _MESHES[format](solids, tolerance)
 
 
 def format_of(path: str | PurePath) -> str:
@@ -67,29 +74,29 @@ def _drawing(result: Answer, format: str) -> bytes:
     return drawing_svg(result.objects, result.solids, result.picture.size).encode()
 
 
-def _obj(solids: Sequence[Solid], *, ngons: bool = False) -> bytes:
+def _obj(solids: Sequence[Solid], ngons: bool, tolerance: float | None) -> bytes:
     from sketch2shape.export.obj import obj_text
 
-    return obj_text(solids, ngons=ngons).encode()
+    return obj_text(solids, ngons=ngons, tolerance=tolerance).encode()
 
 
-def _through_trimesh(file_type: str) -> Callable[[Sequence[Solid]], bytes]:
+def _through_trimesh(file_type: str) -> Callable[[Sequence[Solid], float | None], bytes]:
     """An encoder for a format that holds a single mesh."""
 
-    def encoder(solids: Sequence[Solid]) -> bytes:
+    def encoder(solids: Sequence[Solid], tolerance: float | None) -> bytes:
         from sketch2shape.export.mesh import to_trimesh
 
-        data: Any = to_trimesh(solids).export(file_type=file_type)
+        data: Any = to_trimesh(solids, tolerance).export(file_type=file_type)
         return data.encode() if isinstance(data, str) else bytes(data)
 
     return encoder
 
 
-def _stl_ascii(solids: Sequence[Solid]) -> bytes:
+def _stl_ascii(solids: Sequence[Solid], tolerance: float | None) -> bytes:
     """STL as text, all solids under one name: few programs read a second one."""
     from sketch2shape.export.mesh import to_trimesh
 
-    mesh = to_trimesh(solids)
+    mesh = to_trimesh(solids, tolerance)
     lines = ["solid sketch2shape"]
     for normal, corners in zip(mesh.face_normals.tolist(), mesh.triangles.tolist(), strict=True):
         rows = ["vertex {:.9g} {:.9g} {:.9g}".format(*corner) for corner in corners]
@@ -98,18 +105,17 @@ def _stl_ascii(solids: Sequence[Solid]) -> bytes:
     return ("\n".join([*lines, "endsolid sketch2shape"]) + "\n").encode()
 
 
-def _glb(solids: Sequence[Solid]) -> bytes:
+def _glb(solids: Sequence[Solid], tolerance: float | None) -> bytes:
     """glTF with a named mesh for each solid, as it asks in metres and y upward; a pixel counts as a millimetre."""
     import numpy as np
     from trimesh import Scene
 
     from sketch2shape.export.mesh import to_trimesh
-    from sketch2shape.export.units import MILLIMETRES
 
     turns = {"z": [[1, 0, 0], [0, 0, 1], [0, -1, 0]], "y": np.eye(3), "camera": np.diag([1, -1, -1])}
     scene: Any = Scene()
     for number, solid in enumerate(solids, 1):
-        mesh: Any = to_trimesh(solid)
+        mesh: Any = to_trimesh(solid, tolerance)
         place = np.eye(4)
         place[:3, :3] = np.array(turns[solid.up], float) * (MILLIMETRES[solid.unit] / 1000.0)
         mesh.apply_transform(place)
@@ -117,10 +123,10 @@ def _glb(solids: Sequence[Solid]) -> bytes:
     return bytes(scene.export(file_type="glb"))
 
 
-def _threemf(solids: Sequence[Solid]) -> bytes:
+def _threemf(solids: Sequence[Solid], tolerance: float | None) -> bytes:
     from sketch2shape.export.threemf import threemf_bytes
 
-    return threemf_bytes(solids)
+    return threemf_bytes(solids, tolerance)
 
 
 def _step(solids: Sequence[Solid]) -> bytes:
@@ -141,13 +147,18 @@ def _face_dxf(solids: Sequence[Solid]) -> bytes:
     return face_dxf(solids).encode()
 
 
-_ENCODERS: dict[str, Callable[[Sequence[Solid]], bytes]] = {
+#: formats that hold triangles
+_MESHES: dict[str, Callable[[Sequence[Solid], float | None], bytes]] = {
     "stl": _through_trimesh("stl"),
     "stl-ascii": _stl_ascii,
     "ply": _through_trimesh("ply"),
     "off": _through_trimesh("off"),
     "glb": _glb,
     "3mf": _threemf,
+}
+
+#: formats that hold curves as they are
+_EXACT: dict[str, Callable[[Sequence[Solid]], bytes]] = {
     "step": _step,
     "face.svg": _face_svg,
     "face.dxf": _face_dxf,

@@ -1,4 +1,4 @@
-"""From solids to triangle meshes with exactly the solids' vertices."""
+"""From solids to triangle meshes: the solids' own vertices, then the points added on arcs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sketch2shape.model import Floats, Solid
-from sketch2shape.solids import triangulated
+from sketch2shape.solids import tessellated
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -31,17 +31,20 @@ def settled(points: Floats) -> Floats:
     return rounded
 
 
-def to_trimesh(solids: Solid | Sequence[Solid]) -> Trimesh:
-    """One mesh with a body for each solid, vertices in the solids' order, none merged or dropped.
+def to_trimesh(solids: Solid | Sequence[Solid], tolerance: float | None = None) -> Trimesh:
+    """One mesh with a body for each solid, its own vertices first and in order, none merged or dropped.
+
+    tolerance : largest distance of a facet from a curved side, in the solids' unit; None for one that looks smooth
 
     Metadata: `unit` (of the first solid).
     """
     import trimesh
 
     bodies = [solids] if isinstance(solids, Solid) else list(solids)
-    starts = np.cumsum([0, *(len(s.vertices) for s in bodies)])
-    vertices = np.concatenate([settled(s.vertices) for s in bodies]) if bodies else np.zeros((0, 3))
-    faces = [triangulated(s) + start for s, start in zip(bodies, starts, strict=False)]
+    forms = [tessellated(s.boundary, tolerance) for s in bodies]
+    starts = np.cumsum([0, *(len(form.vertices) for form in forms)])
+    vertices = np.concatenate([settled(form.vertices) for form in forms]) if forms else np.zeros((0, 3))
+    faces = [form.triangles + start for form, start in zip(forms, starts, strict=False)]
     triangles = np.concatenate(faces) if faces else np.zeros((0, 3), np.intp)
     unit = bodies[0].unit if bodies else "px"
     return trimesh.Trimesh(vertices=vertices, faces=triangles, process=False, metadata={"unit": unit})

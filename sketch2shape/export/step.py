@@ -1,7 +1,7 @@
-"""STEP for CAD: an exact boundary representation with plane faces, as ISO 10303-21 text, schema AP214.
+"""STEP for CAD: an exact boundary representation, as ISO 10303-21 text, schema AP214.
 
-Each solid is one manifold solid: its faces are whole polygons with their holes, not triangles, so a CAD system can
-measure, fillet and extrude them. Lengths are written in millimetres.
+Each solid is one manifold solid: its faces are whole, with their holes, on planes, cylinders and cones, not triangles,
+so a CAD system can measure, fillet and extrude them. Lengths are written in millimetres.
 """
 
 from __future__ import annotations
@@ -11,7 +11,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from sketch2shape.export.units import MILLIMETRES
-from sketch2shape.model import Boundary, Curve, Face, Floats, Line, Plane, Solid, Surface
+from sketch2shape.model import Arc, Boundary, Circle, Cone, Cylinder, DirectedEdge, Face, Floats, Plane, Solid
+
+#: an apex that stands off the axis by less than this part of the radius makes a right cone
+_RIGHT = 1e-7
 
 _HEADER = """ISO-10303-21;
 HEADER;
@@ -44,6 +47,14 @@ class _Writer:
         parts = (self.point(origin), self.direction(axis), self.direction(side))
         return self.add(f"AXIS2_PLACEMENT_3D('',{','.join(parts)})")
 
+    def line(self, start: Floats, end: Floats) -> str:
+        vector = self.add(f"VECTOR('',{self.direction(end - start)},1.)")
+        return self.add(f"LINE('',{self.point(start)},{vector})")
+
+    def circle(self, arc: Arc) -> str:
+        place = self.placement(arc.circle.center, arc.circle.normal, arc.first)
+        return self.add(f"CIRCLE('',{place},{_numbers(np.array([arc.circle.radius]))})")
+
 
 def step_text(solids: Sequence[Solid]) -> str:
     """A STEP file with one manifold solid for each solid."""
@@ -69,45 +80,140 @@ def _real(text: str) -> str:
 
 
 def _body(w: _Writer, number: int, solid: Solid) -> str:
-    """One solid: points, straight edges, plane faces, a closed shell."""
-    shape = solid.boundary.scaled(MILLIMETRES[solid.unit])
-    points = shape.vertices
-    vertices = [w.add(f"VERTEX_POINT('',{w.point(p)})") for p in points]
-    edges = []
-    for edge in shape.edges:
-        curve = _curve(w, points[edge.start], points[edge.end], edge.curve)
-        edges.append(w.add(f"EDGE_CURVE('',{vertices[edge.start]},{vertices[edge.end]},{curve},.T.)"))
-    faces = [_face(w, shape, face, edges) for face in shape.faces]
+    """One solid: points, edges, faces, a closed shell."""
+    shape = _Shape(w, solid.boundary.scaled(MILLIMETRES[solid.unit]))
+    faces = [_face(w, shape, face) for face in shape.boundary.faces]
     shell = w.add(f"CLOSED_SHELL('',({','.join(faces)}))")
     return w.add(f"MANIFOLD_SOLID_BREP('object {number}',{shell})")
 
 
-def _curve(w: _Writer, start: Floats, end: Floats, curve: Curve) -> str:
-    """The curve that an edge between two points lies on."""
-    match curve:
-        case Line():
-            vector = w.add(f"VECTOR('',{w.direction(end - start)},1.)")
-            return w.add(f"LINE('',{w.point(start)},{vector})")
+class _Shape:
+    """A boundary whose points and edges are written.
+
+    boundary : it, in millimetres
+    vertices : references to its vertices
+    edges    : references to its edges
+    begins   : reference to the point where each whole circle begins, by its edge, and the point itself
+    """
+
+    def __init__(self, w: _Writer, boundary: Boundary) -> None:
+        self.boundary = boundary
+        points = boundary.vertices
+        self.vertices = [w.add(f"VERTEX_POINT('',{w.point(p)})") for p in points]
+        self.begins: dict[int, tuple[str, Floats]] = {}
+        self.edges: list[str] = []
+        for number, edge in enumerate(boundary.edges):
+            arc = boundary.arc(edge)
+            if edge.start is not None and edge.end is not None:
+                curve = w.circle(arc) if arc else w.line(points[edge.start], points[edge.end])
+                ends = self.vertices[edge.start], self.vertices[edge.end]
+            elif arc:
+                curve, at = w.circle(arc), arc.at(np.zeros(1))[0]
+                begin = w.add(f"VERTEX_POINT('',{w.point(at)})")
+                self.begins[number] = begin, at
+                ends = begin, begin
+            self.edges.append(w.add(f"EDGE_CURVE('',{ends[0]},{ends[1]},{curve},.T.)"))
 
 
-def _surface(w: _Writer, surface: Surface, side: Floats) -> str:
-    """The surface that a face lies on; side is a direction in it."""
-    match surface:
-        case Plane(origin, normal):
-            return w.add(f"PLANE('',{w.placement(origin, normal, side)})")
-
-
-def _face(w: _Writer, shape: Boundary, face: Face, edges: list[str]) -> str:
+def _face(w: _Writer, shape: _Shape, face: Face) -> str:
     """A face with its outer bound and its holes, normal outward."""
-    bounds: list[str] = []
-    for ring in face.loops:
-        oriented = [w.add(f"ORIENTED_EDGE('',*,*,{edges[e]},.{'T' if forward else 'F'}.)") for e, forward in ring]
-        loop = w.add(f"EDGE_LOOP('',({','.join(oriented)}))")
-        kind = "FACE_BOUND" if bounds else "FACE_OUTER_BOUND"
-        bounds.append(w.add(f"{kind}('',{loop},.T.)"))
-    first, second, *_ = shape.rings(face)[0]
-    surface = _surface(w, face.surface, shape.vertices[second] - shape.vertices[first])
-    return w.add(f"ADVANCED_FACE('',({','.join(bounds)}),{surface},.T.)")
+    whole = [loop[0] for loop in face.loops if shape.boundary.edges[loop[0].edge].start is None]
+    if whole and not isinstance(face.surface, Plane):
+        bounds = [_seamed(w, shape, whole)]
+    else:
+        bounds = []
+        for ring in face.loops:
+            loop = _loop(w, [f"{shape.edges[e]},.{'T' if forward else 'F'}." for e, forward in ring])
+            bounds.append(w.add(f"{'FACE_BOUND' if bounds else 'FACE_OUTER_BOUND'}('',{loop},.T.)"))
+    surface, sense = _surface(w, shape.boundary, face)
+    return w.add(f"ADVANCED_FACE('',({','.join(bounds)}),{surface},.{'T' if sense else 'F'}.)")
+
+
+def _loop(w: _Writer, steps: list[str]) -> str:
+    oriented = [w.add(f"ORIENTED_EDGE('',*,*,{step})") for step in steps]
+    return w.add(f"EDGE_LOOP('',({','.join(oriented)}))")
+
+
+def _seamed(w: _Writer, shape: _Shape, rims: list[DirectedEdge]) -> str:
+    """The bound of a side that goes all round, cut open along a seam, which is walked once each way."""
+    (first, forward), *others = rims
+    begin, start = shape.begins[first]
+    if others:
+        end, stop = shape.begins[others[0].edge]
+    else:
+        end, stop = shape.vertices[-1], shape.boundary.vertices[-1]
+    seam = w.add(f"EDGE_CURVE('',{begin},{end},{w.line(start, stop)},.T.)")
+    far = [f"{shape.edges[e]},.{'T' if ahead else 'F'}." for e, ahead in others]
+    steps = [f"{shape.edges[first]},.{'T' if forward else 'F'}.", f"{seam},.T.", *far, f"{seam},.F."]
+    return w.add(f"FACE_OUTER_BOUND('',{_loop(w, steps)},.T.)")
+
+
+def _surface(w: _Writer, boundary: Boundary, face: Face) -> tuple[str, bool]:
+    """The surface that a face lies on, and whether its own normal points out of the solid."""
+    match face.surface:
+        case Plane(origin, normal):
+            return w.add(f"PLANE('',{w.placement(origin, normal, _side(boundary, face))})"), True
+        case Cylinder(circle, convex):
+            side = next(boundary.arcs(face))[0].first
+            place = w.placement(circle.center, circle.normal, side)
+            return w.add(f"CYLINDRICAL_SURFACE('',{place},{_numbers(np.array([circle.radius]))})"), convex
+        case Cone(apex, circle, convex):
+            return _cone(w, boundary, face, apex, circle, convex)
+
+
+def _side(boundary: Boundary, face: Face) -> Floats:
+    """A direction in a flat face: that of the first step around it."""
+    number, forward = face.loops[0][0]
+    edge = boundary.edges[number]
+    arc = boundary.arc(edge)
+    if edge.start is None or edge.end is None:
+        return np.zeros(3) if arc is None else arc.first
+    step: Floats = boundary.vertices[edge.end] - boundary.vertices[edge.start]
+    return step if forward else -step
+
+
+def _cone(w: _Writer, boundary: Boundary, face: Face, apex: Floats, circle: Circle, convex: bool) -> tuple[str, bool]:
+    """A right cone by its name; a slanting one, as the rounded corner of a tapered block, as a rational surface."""
+    axis = circle.center - apex
+    height = abs(float(axis @ circle.normal))
+    first = next(boundary.arcs(face))[0].first
+    if float(np.linalg.norm(axis - (axis @ circle.normal) * circle.normal)) <= _RIGHT * circle.radius:
+        outward = circle.normal if axis @ circle.normal > 0 else -circle.normal
+        numbers = _numbers(np.array([circle.radius, np.arctan2(circle.radius, height)]))
+        return w.add(f"CONICAL_SURFACE('',{w.placement(circle.center, outward, first)},{numbers})"), convex
+    rims = [arc for arc, _ in boundary.arcs(face)]
+    return _ruled(w, rims[0], rims[1] if len(rims) > 1 else apex, convex)
+
+
+def _ruled(w: _Writer, rim: Arc, far: Arc | Floats, convex: bool) -> tuple[str, bool]:
+    """The lines that join an arc with a like one, or with a point, as a rational B-spline surface: an exact one."""
+    near, weights = _control_points(rim)
+    beyond = _control_points(far)[0] if isinstance(far, Arc) else np.tile(far, (len(near), 1))
+    rows = [f"({w.point(p)},{w.point(q)})" for p, q in zip(near, beyond, strict=True)]
+    pieces = len(near) // 2
+    knots = _numbers(np.arange(pieces + 1) / pieces)
+    counts = ",".join(["3", *["2"] * (pieces - 1), "3"])
+    weighed = ",".join(f"({_numbers(np.array([a, a]))})" for a in weights)
+    surface = w.add(
+        f"(BOUNDED_SURFACE()B_SPLINE_SURFACE(2,1,({','.join(rows)}),.UNSPECIFIED.,.F.,.F.,.F.)"
+        f"B_SPLINE_SURFACE_WITH_KNOTS(({counts}),(2,2),({knots}),(0.,1.),.UNSPECIFIED.)GEOMETRIC_REPRESENTATION_ITEM()"
+        f"RATIONAL_B_SPLINE_SURFACE(({weighed}))REPRESENTATION_ITEM('')SURFACE())"
+    )
+    # its own normal turns from along the rim to across it
+    along = np.cross(rim.circle.normal, rim.first)
+    across = beyond[0] - near[0]
+    outward = float(np.cross(along, across) @ rim.first) > 0
+    return surface, outward == convex
+
+
+def _control_points(arc: Arc) -> tuple[Floats, Floats]:
+    """(2 p + 1, 3) control points and their weights of an arc as p quadratic pieces, none beyond a quarter."""
+    pieces = max(int(np.ceil(arc.sweep / (0.5 * np.pi) - 1e-9)), 1)
+    points = arc.at(np.arange(2 * pieces + 1) / (2 * pieces))
+    weights = np.ones(len(points))
+    weights[1::2] = np.cos(arc.sweep / (2 * pieces))
+    points[1::2] = arc.circle.center + (points[1::2] - arc.circle.center) / weights[1::2, None]
+    return points, weights
 
 
 def _context(w: _Writer) -> str:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from sketch2shape.export.mesh import settled
 from sketch2shape.model import Solid
-from sketch2shape.solids import triangulated
+from sketch2shape.solids import tessellated
 
 _UNITS = {"px": "millimeter", "mm": "millimeter", "cm": "centimeter", "m": "meter", "in": "inch"}
 
@@ -29,10 +29,13 @@ _RELATIONS = (
 )
 
 
-def threemf_bytes(solids: Sequence[Solid]) -> bytes:
-    """A 3MF archive with one object for each solid; a solid in pixels is given in millimetres."""
+def threemf_bytes(solids: Sequence[Solid], tolerance: float | None = None) -> bytes:
+    """A 3MF archive with one object for each solid; a solid in pixels is given in millimetres.
+
+    tolerance : largest distance of a facet from a curved side, in the solids' unit; None for one that looks smooth
+    """
     unit = _UNITS[solids[0].unit] if solids else "millimeter"
-    objects = "".join(_object(number, solid) for number, solid in enumerate(solids, 1))
+    objects = "".join(_object(number, solid, tolerance) for number, solid in enumerate(solids, 1))
     items = "".join(f'<item objectid="{number}"/>' for number in range(1, len(solids) + 1))
     model = (
         f'{_HEAD}<model unit="{unit}" xml:lang="en" xmlns="{_CORE}">'
@@ -51,9 +54,10 @@ def threemf_bytes(solids: Sequence[Solid]) -> bytes:
     return buffer.getvalue()
 
 
-def _object(number: int, solid: Solid) -> str:
-    vertices = "".join(f'<vertex x="{x:.9g}" y="{y:.9g}" z="{z:.9g}"/>' for x, y, z in settled(solid.vertices).tolist())
-    triangles = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in triangulated(solid).tolist())
+def _object(number: int, solid: Solid, tolerance: float | None) -> str:
+    form = tessellated(solid.boundary, tolerance)
+    vertices = "".join(f'<vertex x="{x:.9g}" y="{y:.9g}" z="{z:.9g}"/>' for x, y, z in settled(form.vertices).tolist())
+    triangles = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in form.triangles.tolist())
     return (
         f'<object id="{number}" type="model" name="object {number}"><mesh>'
         f"<vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object>"

@@ -11,30 +11,36 @@ from sketch2shape.model.arguments import checked_count, checked_number
 from sketch2shape.model.arrays import Bools, Brief, Floats, Gray, Ints, as_gray, brief
 from sketch2shape.model.boundary import (
     Boundary,
-    Curve,
+    Cone,
+    Cylinder,
     DirectedEdge,
     Edge,
     Face,
-    Line,
     Loop,
     Plane,
     Ring,
     Surface,
     polyhedron,
-    two_face_boundary,
 )
-from sketch2shape.model.drawing import DrawnArc, Ellipse, FacePair, Lines, TwoFaceObject, ring_edges
+from sketch2shape.model.curves import Arc, Circle, Curve, Line, arc_between
+from sketch2shape.model.drawing import DrawnArc, Ellipse, FacePair, Lines, Side, TwoFaceObject, ring_edges
 from sketch2shape.model.picture import Ink, Picture, to_picture, to_working
 from sketch2shape.model.solid import Alternative, Projection, Solid
+from sketch2shape.model.two_face_boundary import ArcPlace, two_face_boundary
 
 __all__ = [
     "TRUSTED",
     "Alternative",
     "Answer",
+    "Arc",
+    "ArcPlace",
     "Bools",
     "Boundary",
     "Brief",
+    "Circle",
+    "Cone",
     "Curve",
+    "Cylinder",
     "DirectedEdge",
     "DrawnArc",
     "Edge",
@@ -52,9 +58,11 @@ __all__ = [
     "Plane",
     "Projection",
     "Ring",
+    "Side",
     "Solid",
     "Surface",
     "TwoFaceObject",
+    "arc_between",
     "as_gray",
     "brief",
     "checked_count",

@@ -71,17 +71,17 @@ class Solid(Brief):
 
     @property
     def vertices(self) -> Floats:
-        """(k, 3) float, in `unit`; of a two-face object (2m, 3) in the order of `TwoFaceObject.vertices`."""
+        """(k, 3) float, in `unit`; of a two-face object in the order of `TwoFaceObject.vertices`."""
         return self.boundary.vertices
 
     @property
     def edges(self) -> tuple[Edge, ...]:
-        """All edges; of a two-face object in the order of `TwoFaceObject.edges`."""
+        """All edges; of a two-face object in the order of `TwoFaceObject.edges`, then its whole circles."""
         return self.boundary.edges
 
     @property
     def edge_ends(self) -> Ints:
-        """(number of edges, 2) rows of `vertices`: start and end of each edge."""
+        """(number of edges with ends, 2) rows of `vertices`: start and end of each of them."""
         return self.boundary.edge_ends
 
     @property
@@ -90,13 +90,13 @@ class Solid(Brief):
         return self.boundary.faces
 
     def rings(self, face: Face) -> tuple[Ring, ...]:
-        """The vertices of each loop of one of the faces, the outer loop first."""
+        """The vertices of each loop of one of the faces, the outer loop first; none for a whole circle."""
         return self.boundary.rings(face)
 
     @property
     def ring_sizes(self) -> tuple[int, ...]:
-        """Vertices of each ring of the front face: the outer ring first, then the holes."""
-        return tuple(len(loop) for loop in self.faces[0].loops)
+        """Vertices of each ring of the front face: the outer ring first, then the holes; 0 for a whole circle."""
+        return tuple(len(ring) for ring in self.rings(self.faces[0]))
 
     @property
     def area(self) -> float:
@@ -111,6 +111,8 @@ class Solid(Brief):
     @property
     def dimensions(self) -> tuple[float, float, float]:
         """Width, height and depth along the object's own axes, in `unit`."""
-        along = self.vertices if self.axes is None else self.vertices @ self.axes.T
+        axes = np.eye(3) if self.axes is None else self.axes
+        along = self.boundary.extremes(axes)
+        along = along if self.axes is None else along @ axes.T
         width, height, depth = (float(e) for e in np.ptp(along, axis=0))
         return width, height, depth

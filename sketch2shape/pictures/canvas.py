@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Literal
 
 import cv2
@@ -83,16 +84,28 @@ class Canvas:
         alpha: float = 1.0,
     ) -> None:
         """Draw a straight line, dashed if `dash` gives (on, off); width and dash in final pixels."""
-        ends = self._large(np.array([a, b]))
-        pieces = [ends] if dash is None else _dashes(ends, dash[0] * self._fine, dash[1] * self._fine)
+        self.path(np.array([a, b]), colour, width, dash, alpha)
+
+    def path(
+        self,
+        points: Floats,
+        colour: Colour = INK,
+        width: float = 1.5,
+        dash: tuple[float, float] | None = None,
+        alpha: float = 1.0,
+    ) -> None:
+        """Draw a line through points (k, 2), as `line`."""
+        along = self._large(points)
+        pieces = [along] if dash is None else _dashes(along, dash[0] * self._fine, dash[1] * self._fine)
         thick = max(1, round(width * self._fine))
 
         def stroke(target: Pixels, corner: Floats) -> None:
             for piece in pieces:
-                p, q = (tuple(int(v) for v in e) for e in _fixed(piece - corner))
-                cv2.line(target, p, q, colour, thick, cv2.LINE_AA, _SUBPIXEL_BITS)
+                for ends in pairwise(_fixed(piece - corner)):
+                    p, q = (tuple(int(v) for v in e) for e in ends)
+                    cv2.line(target, p, q, colour, thick, cv2.LINE_AA, _SUBPIXEL_BITS)
 
-        self._blend(stroke, ends, thick, alpha)
+        self._blend(stroke, along, thick, alpha)
 
     def dot(
         self, at: Floats, radius: float, colour: Colour = INK, rim: Colour | None = PAPER, rim_width: float = 1.2
@@ -226,8 +239,11 @@ def _fixed(points: Floats) -> NDArray[np.int32]:
     return np.clip(np.rint(points * (1 << _SUBPIXEL_BITS)), -(2**30), 2**30).astype(np.int32)
 
 
-def _dashes(ends: Floats, on: float, off: float) -> list[Floats]:
-    """A segment cut into dashes that begin and end on ink, spread evenly."""
+def _dashes(path: Floats, on: float, off: float) -> list[Floats]:
+    """A line through points (k, 2) cut into dashes that begin and end on ink, spread evenly."""
+    if len(path) > 2:
+        return _bent_dashes(path, on, off)
+    ends = path
     length = float(np.linalg.norm(ends[1] - ends[0]))
     gaps = max(0, round((length - on) / (on + off)))
     if gaps == 0 or length > 1e6:
@@ -236,3 +252,18 @@ def _dashes(ends: Floats, on: float, off: float) -> list[Floats]:
     starts = np.arange(gaps + 1) * (on + off) * stretch / length
     stops = starts + on * stretch / length
     return [ends[0] + np.array([[s], [t]]) * (ends[1] - ends[0]) for s, t in zip(starts, stops, strict=True)]
+
+
+def _bent_dashes(path: Floats, on: float, off: float) -> list[Floats]:
+    """As `_dashes`, round the bends of a path."""
+    at = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
+    length = float(at[-1])
+    gaps = max(0, round((length - on) / (on + off)))
+    if gaps == 0 or length > 1e6:
+        return [path]
+    stretch = length / (gaps * (on + off) + on)
+    dashes: list[Floats] = []
+    for start in np.arange(gaps + 1) * (on + off) * stretch:
+        places = np.concatenate([[start], at[(at > start) & (at < start + on * stretch)], [start + on * stretch]])
+        dashes.append(np.stack([np.interp(places, at, path[:, 0]), np.interp(places, at, path[:, 1])], axis=1))
+    return dashes

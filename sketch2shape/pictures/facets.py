@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sketch2shape.model import Floats, Ints, Solid, TwoFaceObject
-from sketch2shape.solids import triangulated
+from sketch2shape.solids import Tessellation, contour_candidates, smooth_edges, tessellated
 
 YAW, PITCH = 28.0, 22.0
 """Where a viewer stands by default: to the right and above, degrees."""
@@ -20,12 +20,15 @@ class Surface:
 
     vertices  : (v, 3) float, right-handed, x right, y down, z away from the viewer
     triangles : (t, 3) indices, outward by the right-hand rule
-    edges     : (e, 2) indices of the edges to draw
+    edges     : (e, 2) indices of the edges to draw, arcs by chords; smooth joints are left out
+    contours  : (c, 4) indices of the ends of edges within curved sides, and of the triangles on either side: drawn only
+                where one of these faces the viewer and the other not
     """
 
     vertices: Floats
     triangles: Ints
     edges: Ints
+    contours: Ints
 
 
 @dataclass(frozen=True)
@@ -44,13 +47,28 @@ def surface(solids: Sequence[Solid], rotation: Floats | None = None) -> Surface:
     """The surfaces of the solids, side by side, all turned by the rotation."""
     if not solids:
         none = np.zeros((0, 3), np.intp)
-        return Surface(np.zeros((0, 3)), none, none[:, :2])
-    starts = np.cumsum([0] + [len(s.vertices) for s in solids[:-1]])
+        return Surface(np.zeros((0, 3)), none, none[:, :2], np.zeros((0, 4), np.intp))
+    forms = [tessellated(solid.boundary) for solid in solids]
+    smooth = [smooth_edges(solid.boundary) for solid in solids]
+    starts = np.cumsum([0] + [len(form.vertices) for form in forms[:-1]])
+    rows = np.cumsum([0] + [len(form.triangles) for form in forms[:-1]])
     return Surface(
-        np.concatenate([s.vertices for s in solids]) @ (np.eye(3) if rotation is None else rotation).T,
-        np.concatenate([triangulated(s) + k for s, k in zip(solids, starts, strict=True)]),
-        np.concatenate([s.edge_ends + k for s, k in zip(solids, starts, strict=True)]),
+        np.concatenate([form.vertices for form in forms]) @ (np.eye(3) if rotation is None else rotation).T,
+        np.concatenate([form.triangles + k for form, k in zip(forms, starts, strict=True)]),
+        np.concatenate([_chords(form, left) + k for form, left, k in zip(forms, smooth, starts, strict=True)]),
+        np.concatenate(
+            [
+                contour_candidates(form, left) + [k, k, row, row]
+                for form, left, k, row in zip(forms, smooth, starts, rows, strict=True)
+            ]
+        ),
     )
+
+
+def _chords(form: Tessellation, left: frozenset[int]) -> Ints:
+    """(e, 2) the edges of a solid by chords, without those left out."""
+    pieces = [np.stack([path[:-1], path[1:]], axis=1) for k, path in enumerate(form.paths) if k not in left]
+    return np.concatenate([np.zeros((0, 2), np.intp), *pieces])
 
 
 def stand(solid: Solid, drawing: TwoFaceObject | None = None) -> Stand:

@@ -7,10 +7,10 @@ import numpy as np
 
 from sketch2shape.evidence import unexplained_strokes
 from sketch2shape.ink import find_ink
-from sketch2shape.model import Answer, Floats, Ints, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Floats, Side, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit, text_width
 from sketch2shape.pictures.palette import BACK, BACKDROP, FAILED, FRONT, INK, JOIN, MUTED, PAPER, RULE, Colour
-from sketch2shape.solids import Run, edge_runs
+from sketch2shape.solids import DrawnLine, drawn_lines
 
 _SMALLEST, _LARGEST = 720, 2400  # longer side of the overlay, pixels: small drawings are enlarged, huge ones reduced
 
@@ -47,15 +47,30 @@ def overlay(result: Answer, *, legend: bool = True) -> Pixels:
 
 def draw_object(canvas: Canvas, obj: TwoFaceObject, solid: Solid, unit: float = 1.0) -> None:
     """Draw an object, lifted to this solid, in the canvas's view; `unit` scales line widths."""
-    half = len(obj.vertices) // 2
-    canvas.fill([pair.f1 for pair in obj.rings], FRONT, 0.16)
-    runs = edge_runs(solid, obj.vertices)
-    order = sorted(range(len(obj.edges)), key=lambda k: _kind(obj.edges[k], half) == "f")
-    for k in order:
-        kind = _kind(obj.edges[k], half)
-        _draw_edge(canvas, obj.vertices[obj.edges[k]], runs[k], {"f": FRONT, "b": BACK, "j": JOIN}[kind], unit)
+    front = sum(len(pair.f1) for pair in obj.rings)
+    canvas.fill(ring_outlines(obj, "f1"), FRONT, 0.16)
+    lines = [(_colour(line, solid, front), line) for line in drawn_lines(obj, solid)]
+    for colour, line in sorted(lines, key=lambda pair: pair[0] == FRONT):
+        _draw_line(canvas, line, colour, unit)
     for v, at in enumerate(obj.vertices):
-        canvas.dot(at, 3.6 * unit, FRONT if v < half else BACK, rim_width=1.3 * unit)
+        canvas.dot(at, 3.6 * unit, FRONT if v < front else BACK, rim_width=1.3 * unit)
+
+
+def ring_outlines(obj: TwoFaceObject, face: Side) -> list[Floats]:
+    """(k, 2) the rings of one face as drawn, arcs by the points along them; a back face that is one point has none."""
+    found: list[Floats] = []
+    for number, pair in enumerate(obj.rings):
+        ring = pair.f1 if face == "f1" else pair.f2
+        mine = {
+            arc.start: arc.points
+            for arc in obj.arcs
+            if arc.face == face and (0 if arc.hole is None else arc.hole + 1) == number
+        }
+        if None in mine:
+            found.append(mine[None])
+        elif len(ring) > 1:
+            found.append(np.concatenate([mine[k][:-1] if k in mine else ring[k : k + 1] for k in range(len(ring))]))
+    return found
 
 
 def pale(pixels: Pixels, part: float = 0.45) -> Pixels:
@@ -66,22 +81,26 @@ def pale(pixels: Pixels, part: float = 0.45) -> Pixels:
     return cv2.addWeighted(pixels, 1 - part, np.full_like(pixels, 255), part, 0).astype(np.uint8)
 
 
-def _kind(edge: Ints, half: int) -> str:
-    if edge[0] >= half:
-        return "b"
-    return "j" if edge[1] >= half else "f"
+def _colour(line: DrawnLine, solid: Solid, front: int) -> Colour:
+    """Of an edge of the front face, of the back face, or of one that joins them, as outlines of curved sides do."""
+    if line.edge is None:
+        return JOIN
+    edge = solid.edges[line.edge]
+    if edge.start is None or edge.end is None:
+        inside = any(line.edge == step.edge for loop in solid.faces[0].loops for step in loop)
+        return FRONT if inside else BACK
+    if edge.start >= front:
+        return BACK
+    return JOIN if edge.end >= front else FRONT
 
 
-def _draw_edge(canvas: Canvas, ends: Floats, runs: list[Run], colour: Colour, unit: float) -> None:
-    a, b = ends
-    for start, stop, visible in runs:
-        p, q = a + start * (b - a), a + stop * (b - a)
-        if visible:
-            canvas.line(p, q, PAPER, 4.6 * unit, alpha=0.7)
-            canvas.line(p, q, colour, 2.6 * unit)
-        else:
-            canvas.line(p, q, PAPER, 4.6 * unit, alpha=0.55)
-            canvas.line(p, q, colour, 1.9 * unit, dash=(6.5 * unit, 5 * unit))
+def _draw_line(canvas: Canvas, line: DrawnLine, colour: Colour, unit: float) -> None:
+    if line.visible:
+        canvas.path(line.points, PAPER, 4.6 * unit, alpha=0.7)
+        canvas.path(line.points, colour, 2.6 * unit)
+    else:
+        canvas.path(line.points, PAPER, 4.6 * unit, alpha=0.55)
+        canvas.path(line.points, colour, 1.9 * unit, dash=(6.5 * unit, 5 * unit))
 
 
 def _legend(canvas: Canvas, result: Answer, top: int, height: int, unit: float) -> None:

@@ -14,7 +14,8 @@ from itertools import pairwise
 import cv2
 import numpy as np
 
-from sketch2shape.model import Answer, Bools, Floats, Solid, TwoFaceObject
+from sketch2shape.geometry import cross
+from sketch2shape.model import Answer, Bools, Floats, Ints, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Pixels
 from sketch2shape.pictures.facets import Surface, stand, surface
 from sketch2shape.pictures.palette import BACKDROP, INK, MUTED, PAPER, SHADE, mix
@@ -158,7 +159,8 @@ def _fill_triangle(image: Pixels, depth: Floats, xy: Floats, near: Floats, colou
 def _draw_edges(image: Pixels, shape: Surface, scene: _Scene, depth: Floats) -> None:
     """Draw hidden edges thin and dashed, then visible ones on top."""
     width = max(image.shape[:2]) / 480
-    runs = [(edge, *run) for edge in shape.edges for run in _edge_runs(scene, edge, depth)]
+    edges = np.concatenate([shape.edges, _outline(shape, scene)])
+    runs = [(edge, *run) for edge in edges for run in _edge_runs(scene, edge, depth)]
     for edge, start, stop, seen in sorted(runs, key=lambda r: bool(r[3])):
         ends = scene.xy[edge]
         along = ends[1] - ends[0]
@@ -171,6 +173,16 @@ def _draw_edges(image: Pixels, shape: Surface, scene: _Scene, depth: Floats) -> 
             a, b = max(start, (k + 0.2) * step / length), min(stop, (k + 0.65) * step / length)
             if a < b:
                 _stroke(image, ends[0] + a * along, ends[0] + b * along, mix(SHADE, INK, 0.45), width / 2)
+
+
+def _outline(shape: Surface, scene: _Scene) -> Ints:
+    """(c, 2) the edges within curved sides at which these turn away from the viewer."""
+    if not len(shape.contours):
+        return shape.contours[:, :2]
+    a, b, c = scene.xy[shape.triangles].swapaxes(0, 1)
+    toward = cross(b - a, c - a) > 0
+    beside = toward[shape.contours[:, 2:]]
+    return shape.contours[beside[:, 0] != beside[:, 1], :2]
 
 
 def _edge_runs(scene: _Scene, edge: Floats, depth: Floats) -> list[tuple[float, float, bool]]:

@@ -1,10 +1,12 @@
 "use strict";
 /* A turning view of a solid on a plain 2-D canvas: needs no WebGL, no library and no network.
    Strategy: each triangle is filled into a depth buffer point by point, so that concave solids come out right; edges are then
-   walked in small steps and stroked where nothing is nearer. The solids here have tens of triangles, so this is fast. */
+   walked in small steps and stroked where nothing is nearer. The solids here have tens of triangles, round ones
+   hundreds, so this is fast. */
 class SolidView {
   /* canvas: the element; shape: {vertices: [[x, y, z]], triangles: [[i, j, k]], edges: [[i, j]], view: [yaw, pitch]}, x right,
-     y down, z away */
+     y down, z away; contours: [[i, j, s, t]] edges within curved sides, drawn where one of the triangles s and t faces the viewer
+     and the other does not */
   constructor(canvas, shape) {
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
@@ -96,7 +98,12 @@ class SolidView {
   }
 
   strokeEdges(points, depth, w, h, ratio) {
-    const runs = this.shape.edges.flatMap(([i, j]) => this.runs(points[i], points[j], depth, w, h));
+    const toward = t => {
+      const [a, b, c] = this.shape.triangles[t].map(i => points[i]);
+      return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
+    };
+    const outline = (this.shape.contours || []).filter(([, , s, t]) => toward(s) !== toward(t));
+    const runs = [...this.shape.edges, ...outline].flatMap(([i, j]) => this.runs(points[i], points[j], depth, w, h));
     const pen = this.context;
     pen.lineCap = "round";
     for (const seen of [false, true]) {

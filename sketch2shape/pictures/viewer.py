@@ -55,6 +55,7 @@ def shape(result: Answer) -> dict[str, Any]:
         "vertices": [[round(float(c), 4) for c in v] for v in form.vertices],
         "triangles": form.triangles.tolist(),
         "edges": form.edges.tolist(),
+        **({"contours": form.contours.tolist()} if len(form.contours) else {}),
         "view": (YAW, PITCH) if up is None else up.view,
     }
 

@@ -2,8 +2,21 @@
 
 from __future__ import annotations
 
-from sketch2shape.solids.front import front_rings
+from sketch2shape.solids.contours import contour_candidates, smooth_edges
+from sketch2shape.solids.drawn import DrawnLine, drawn_lines
+from sketch2shape.solids.front import FlatRing, front_outline
 from sketch2shape.solids.hidden import Run, edge_runs
-from sketch2shape.solids.triangles import face_triangles, triangulated
+from sketch2shape.solids.tessellation import Tessellation, tessellated
 
-__all__ = ["Run", "edge_runs", "face_triangles", "front_rings", "triangulated"]
+__all__ = [
+    "DrawnLine",
+    "FlatRing",
+    "Run",
+    "Tessellation",
+    "contour_candidates",
+    "drawn_lines",
+    "edge_runs",
+    "front_outline",
+    "smooth_edges",
+    "tessellated",
+]

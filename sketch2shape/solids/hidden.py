@@ -37,11 +37,11 @@ class Run(NamedTuple):
 
 
 def edge_runs(solid: Solid, points: Floats) -> list[list[Run]]:
-    """For each of `solid.edges` the pieces it falls into where it passes in or out of sight, from its start to its end.
+    """For each edge of a solid without arcs the pieces it falls into where it passes in or out of sight, start to end.
 
     points : (k, 2) where each of `solid.vertices` lies in the drawing
     """
-    near = _nearness(points, solid)
+    near = nearness(points, solid.vertices, solid.projection.family)
     faces = _FaceImages(points, near, [solid.rings(face) for face in solid.faces])
     runs: list[list[Run]] = []
     for number in range(len(solid.edges)):
@@ -88,11 +88,15 @@ class _FaceImages:
         return hidden
 
 
-def _nearness(points: Floats, solid: Solid) -> Floats:
-    """(k,) a number that grows towards the viewer and is affine in the picture over any plane."""
-    v = solid.vertices - solid.vertices.mean(axis=0)
+def nearness(points: Floats, vertices: Floats, family: str) -> Floats:
+    """(k,) a number that grows towards the viewer and is affine in the picture over any plane.
+
+    points   : (k, 2) where the vertices (k, 3) lie in the drawing
+    family   : of the projection
+    """
+    v = vertices - vertices.mean(axis=0)
     v = v / (np.abs(v).max() or 1.0)
-    if solid.projection.family == "perspective" and len(v) >= 6:
+    if family == "perspective" and len(v) >= 6:
         depth = _perspective_depth(points, v)
         if depth is not None:
             near: Floats = 1.0 / depth / np.abs(1.0 / depth).max()

@@ -1,4 +1,4 @@
-"""A solid's surface as triangles over exactly its vertices."""
+"""Triangles that fill a flat face, over exactly its vertices."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from sketch2shape.geometry import cross, signed_area
-from sketch2shape.model import Boundary, Face, Floats, Ints, Plane, Ring, Solid
+from sketch2shape.model import Floats, Ints, Ring
 
 #: decimals kept of a face's points, in units of its size: more than that is noise, and faces alike get triangles alike
 _DECIMALS = 9
@@ -17,27 +17,15 @@ _DECIMALS = 9
 _SHIFTS = (0.0, 1e-6, -1e-6)
 
 
-def triangulated(solid: Solid) -> Ints:
-    """(k, 3) triangles of a closed surface over `solid.vertices`, normals outward, one face after the other."""
-    return np.concatenate(face_triangles(solid.boundary))
+def flat_triangles(vertices: Floats, rings: Sequence[Ring], normal: Floats) -> Ints:
+    """(k, 3) triangles of a flat face, rows of the vertices, turned about the normal as its outer ring is.
 
-
-def face_triangles(boundary: Boundary) -> list[Ints]:
-    """(k, 3) triangles of each face, rows of the boundary's vertices, normals outward.
-
-    Faces that are alike and lie alike, as the bases of a prism are, have the same triangles.
+    They are found in the order of the vertices' numbers, so that the rings' starts have no say: faces that are alike
+    and lie alike, as the bases of a prism are, have the same triangles.
     """
-    return [_of_face(boundary, face) for face in boundary.faces]
-
-
-def _of_face(boundary: Boundary, face: Face) -> Ints:
-    """Triangles of one face, found in the order of its vertices' numbers, so that its loops' starts have no say."""
-    rings = boundary.rings(face)
     ordered = [in_order(ring) for ring in rings]
     turned_back = ordered[0][1] != rings[0][(rings[0].index(ordered[0][0]) + 1) % len(rings[0])]
-    match face.surface:
-        case Plane(_, normal):
-            triangles = _flat(boundary.vertices, ordered, -normal if turned_back else normal)
+    triangles = _flat(vertices, ordered, -normal if turned_back else normal)
     return triangles[:, ::-1] if turned_back else triangles
 
 

@@ -39,7 +39,7 @@ FORMATS: dict[str, Format] = {
     "glb": Format("binary glTF", "solid", "model/gltf-binary", ("glb",)),
     "3mf": Format("3MF for 3-D printing, with its unit", "solid", "model/3mf", ("3mf",)),
     "off": Format("OFF as text", "solid", "text/plain", ("off",)),
-    "step": Format("STEP AP214 with plane faces, for CAD", "solid", "model/step", ("step", "stp")),
+    "step": Format("STEP AP214 with planes, cylinders and cones, for CAD", "solid", "model/step", ("step", "stp")),
     "svg": Format("the cleaned drawing, visible and hidden lines in groups", "drawing", _SVG, ("svg",)),
     "dxf": Format("the cleaned drawing, visible and hidden lines on layers", "drawing", _DXF, ("dxf",)),
     "face.svg": Format("the true front face laid flat", "drawing", _SVG, ("face.svg",)),

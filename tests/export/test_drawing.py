@@ -1,15 +1,19 @@
+import re
 import xml.etree.ElementTree as ET
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from sketch2shape.errors import UsageError
 from sketch2shape.export import encode, format_of
-from sketch2shape.export.drawing import drawn_lines
+from sketch2shape.geometry import signed_area
 from sketch2shape.lifting import LiftOptions, lift
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
 from sketch2shape.pipeline.result import Result
+from sketch2shape.solids import drawn_lines
+from tests.solids.round_bodies import ROUND
 
 FACE = np.array([[100, 100], [300, 100], [300, 250], [100, 250.0]])
 BOX = TwoFaceObject(FACE, FACE + [60, -50])
@@ -150,3 +154,45 @@ def test_names_of_the_flat_face():
     assert format_of("a/b.face.svg") == "face.svg"
     assert format_of("a.v2.svg") == "svg"
     assert format_of("a.stp") == "step"
+
+
+def path_area(d):
+    """Area inside an SVG path of lines and circular arcs."""
+    numbers = r"(-?[\d.e+-]+) (-?[\d.e+-]+)"
+    steps = re.findall(rf"([MLA])(?:(-?[\d.e+-]+) -?[\d.e+-]+ 0 ([01]) ([01]) )?{numbers}", d)
+    points = np.array([[float(x), float(y)] for *_, x, y in steps])
+    area = signed_area(points)
+    for (p, q), (kind, r, large, sweep, *_) in zip(pairwise(points), steps[1:], strict=True):
+        if kind == "A":
+            half = np.arcsin(min(np.linalg.norm(q - p) / (2 * float(r)), 1.0))
+            turn = 2 * (np.pi - half if large == "1" else half)
+            area += (1 if sweep == "1" else -1) * 0.5 * float(r) ** 2 * (turn - np.sin(turn))
+    return abs(area)
+
+
+@pytest.mark.parametrize("name", ["cylinder", "half cylinder", "slot", "tube"])
+def test_a_flat_face_keeps_true_arcs(name):
+    solid, volume, *_ = ROUND[name]
+    paths = ET.fromstring(encode(solid, "face.svg"))[0].get("d").split("Z")[:-1]
+    outer, *holes = [path_area(path) for path in paths]
+    assert outer - sum(holes) == pytest.approx(volume / 3.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["plate with two holes", "groove", "slot", "half cylinder"])
+def test_dxf_of_a_flat_face_has_bulges_and_circles(name):
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf reads DXF back and is not installed")
+    import io
+
+    solid, volume, *_ = ROUND[name]
+    space = ezdxf.read(io.StringIO(encode(solid, "face.dxf").decode())).modelspace()
+    (outline,) = space.query("POLYLINE")
+    rows = np.array([[v.dxf.location.x, v.dxf.location.y, v.dxf.bulge] for v in outline.vertices])
+    after = np.roll(rows, -1, axis=0)
+    area = 0.5 * float((rows[:, 0] * after[:, 1] - after[:, 0] * rows[:, 1]).sum())
+    turn = 4 * np.arctan(rows[:, 2])
+    chord = np.linalg.norm(after[:, :2] - rows[:, :2], axis=1)
+    bent = np.flatnonzero(turn)
+    radius = chord[bent] / (2 * np.sin(np.abs(turn[bent]) / 2))
+    area += float((np.sign(turn[bent]) * radius**2 / 2 * (np.abs(turn[bent]) - np.sin(np.abs(turn[bent])))).sum())
+    area = abs(area) - sum(np.pi * c.dxf.radius**2 for c in space.query("CIRCLE"))
+    assert area == pytest.approx(volume / np.ptp(solid.vertices[:, 2]), rel=1e-4)

@@ -7,6 +7,8 @@ import pytest
 
 from sketch2shape.export import encode
 from sketch2shape.model import Projection, Solid, two_face_boundary
+from tests.solids.round_bodies import KINDS, ROUND, SQUARE
+from tests.solids.round_bodies import solid as body
 
 L_SHAPE = np.array([[0, 0], [30, 0], [30, 10], [20, 10], [10, 10], [10, 20], [0, 20.0]])
 HOLE = np.array([[2.5, 2.5], [7.5, 2.5], [7.5, 7.5], [2.5, 7.5]])
@@ -21,15 +23,22 @@ def prism(rings, depth=20.0, scale=1.0, unit="mm"):
 
 def read_back(data, tmp_path):
     """Solids in a STEP file: (valid, volume, number of faces) of each."""
+    return [(valid, volume, len(kinds)) for valid, volume, kinds in read_surfaces(data, tmp_path)]
+
+
+def read_surfaces(data, tmp_path):
+    """Solids in a STEP file: (valid, volume, names of the surfaces) of each."""
     pytest.importorskip(
         "OCP", exc_type=ImportError, reason="Open CASCADE (cadquery-ocp-novtk) reads STEP back and is not installed"
     )
+    from OCP.BRepAdaptor import BRepAdaptor_Surface
     from OCP.BRepCheck import BRepCheck_Analyzer
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
     from OCP.STEPControl import STEPControl_Reader
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopExp import TopExp_Explorer
+    from OCP.TopoDS import TopoDS
 
     path = tmp_path / "a.step"
     path.write_bytes(data)
@@ -42,11 +51,12 @@ def read_back(data, tmp_path):
         body = solids.Current()
         properties = GProp_GProps()
         getattr(BRepGProp, "VolumeProperties_s", getattr(BRepGProp, "VolumeProperties", None))(body, properties)
-        faces, explorer = 0, TopExp_Explorer(body, TopAbs_ShapeEnum.TopAbs_FACE)
+        kinds, explorer = [], TopExp_Explorer(body, TopAbs_ShapeEnum.TopAbs_FACE)
+        as_face = getattr(TopoDS, "Face_s", getattr(TopoDS, "Face", None))
         while explorer.More():
-            faces += 1
+            kinds.append(str(BRepAdaptor_Surface(as_face(explorer.Current())).GetType()).rpartition("_")[2])
             explorer.Next()
-        found.append((BRepCheck_Analyzer(body).IsValid(), properties.Mass(), faces))
+        found.append((BRepCheck_Analyzer(body).IsValid(), properties.Mass(), kinds))
         solids.Next()
     return found
 
@@ -66,6 +76,24 @@ def test_open_cascade_reads_a_valid_solid(solid, volume, faces, tmp_path):
     assert valid
     assert got == pytest.approx(volume, rel=1e-6)
     assert count == faces
+
+
+@pytest.mark.parametrize("name", ROUND)
+def test_round_sides_are_true_cylinders_and_cones(name, tmp_path):
+    solid, volume, _, _, kinds = ROUND[name]
+    ((valid, got, found),) = read_surfaces(encode(solid, "step"), tmp_path)
+    assert valid
+    assert got == pytest.approx(volume, rel=1e-9)
+    assert sorted(found) == sorted(KINDS[kind] for kind in kinds)
+
+
+def test_a_slanting_cone_is_an_exact_rational_surface(tmp_path):
+    # the hole of a tapered plate does not run along the axis
+    plate = body(SQUARE, [4, 0], [(1, None, 2, 2, 1, 1)], depth=1.0, scale=0.5)
+    ((valid, got, found),) = read_surfaces(encode(plate, "step"), tmp_path)
+    assert valid
+    assert got == pytest.approx(plate.volume, rel=1e-5)  # Open CASCADE integrates these by a rule
+    assert found[-1] == "BSplineSurface"
 
 
 def test_several_solids_stay_apart(tmp_path):

@@ -8,7 +8,7 @@ from solids.bodies import BODIES
 
 from sketch2shape.lifting import lift
 from sketch2shape.model import FacePair, Projection, Solid, TwoFaceObject, two_face_boundary
-from sketch2shape.solids import edge_runs, triangulated
+from sketch2shape.solids import edge_runs, tessellated
 
 BOX = np.array([[100, 160], [300, 160], [300, 340], [100, 340.0]])
 NOTCHED = np.array([[100, 150], [180, 150], [180, 260], [300, 260], [300, 150], [380, 150], [380, 380], [100, 380.0]])
@@ -92,7 +92,7 @@ def test_runs_agree_with_casting_rays_at_the_triangles(radii, depth, taper):
     ring = np.array(radii)[:, None] * np.c_[np.cos(turn), np.sin(turn)]
     vertices = np.concatenate([np.c_[ring, np.zeros(len(ring))], np.c_[ring * taper, np.full(len(ring), depth)]])
     solid = Solid(two_face_boundary(vertices, [len(ring)]), Projection("oblique"))
-    triangles = triangulated(solid)
+    triangles = tessellated(solid.boundary).triangles
     for (a, b), pieces in zip(vertices[solid.edge_ends], edge_runs(solid, vertices @ VIEW), strict=True):
         for start, stop, visible in pieces:
             if stop - start < 1e-3:

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from sketch2shape.geometry import signed_area
 from sketch2shape.model import Projection, Solid, polyhedron, two_face_boundary
-from sketch2shape.solids import face_triangles, triangulated
+from sketch2shape.solids import tessellated
 from sketch2shape.solids.triangles import triangulate
 
 OUTER = np.array([[0, 0], [4, 0], [4, 4], [0, 4.0]])
@@ -107,7 +107,7 @@ def test_solid_is_closed_and_keeps_its_volume_however_it_lies(rings, taper, seed
     rng = np.random.default_rng(seed)
     vertices = 100 * upright @ np.linalg.qr(rng.normal(size=(3, 3)))[0] + rng.normal(size=3) * 1000
     solid = Solid(two_face_boundary(vertices, sizes), Projection("oblique"))
-    triangles = triangulated(solid)
+    triangles = tessellated(solid.boundary).triangles
     assert border_of(triangles) == set()
     assert set(triangles.ravel().tolist()) == set(range(len(vertices)))
     assert len(triangles) == 2 * len(vertices) + 4 * (len(rings) - 1) - 4
@@ -120,7 +120,7 @@ def test_solid_is_closed_and_keeps_its_volume_however_it_lies(rings, taper, seed
 def test_both_bases_have_the_same_triangles(rings, taper):
     flat, half = np.concatenate(rings), sum(len(r) for r in rings)
     vertices = np.concatenate([np.c_[flat, np.zeros(half)], np.c_[taper * flat, np.full(half, 2.0)]])
-    front, back, *_ = face_triangles(two_face_boundary(vertices, [len(r) for r in rings]))
+    front, back, *_ = tessellated(two_face_boundary(vertices, [len(r) for r in rings])).face_triangles
     assert {frozenset(t) for t in front.tolist()} == {frozenset(i - half for i in t) for t in back.tolist()}
 
 
@@ -132,5 +132,5 @@ def test_side_with_a_notch_is_split_within():
         vertices = np.concatenate([np.c_[ring, np.zeros(4)], np.c_[ring, np.ones(4)]])
         sides = [[(i, 4 + i, 4 + (i + 1) % 4, (i + 1) % 4)] for i in range(4)]
         boundary = polyhedron(vertices, [[(0, 1, 2, 3)], [(7, 6, 5, 4)], *sides])
-        corners = vertices[face_triangles(boundary)[0]]
+        corners = vertices[tessellated(boundary).face_triangles[0]]
         assert sum(abs(signed_area(c[:, :2])) for c in corners) == pytest.approx(abs(signed_area(ring)))
