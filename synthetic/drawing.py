@@ -16,7 +16,7 @@ from sketch2shape.model import Floats
 from synthetic.cropping import Window, window
 from synthetic.exercise import exercise
 from synthetic.flat import FLAT
-from synthetic.hand import moved_vertices, pulled, strokes_of
+from synthetic.hand import Stroke, moved_vertices, pulled, strokes_of
 from synthetic.layers import Drawn, Layer
 from synthetic.marks import MARKS, shading
 from synthetic.media import MEDIA, Style
@@ -28,7 +28,7 @@ from synthetic.pens import Pen, coverage
 from synthetic.recipes import RECIPES, Recipe, annotated
 from synthetic.scenes import Scene, scene
 from synthetic.sheets import SHEETS
-from synthetic.turned_scenes import moved_arc, turned_scene, turned_truth
+from synthetic.turned_scenes import Turned, moved_arc, turned_scene, turned_truth
 
 FACES = ("f1", "f2")
 
@@ -79,13 +79,9 @@ class Drawing:
 
 def draw(category: str, seed: int, index: int, *, shapes: str | None = None) -> Drawing:
     """Drawing number `index` of a category (a name in `RECIPES`); `shapes` overrides the recipe's."""
-    recipe = RECIPES[category]
+    recipe, style, facts, rng = _begun(category, seed, index)
     if shapes:
         recipe = replace(recipe, wish=replace(recipe.wish, shapes=shapes))
-    rng = np.random.default_rng([seed, zlib.crc32(category.encode()), index])
-    medium = recipe.media[index % len(recipe.media)]
-    style = MEDIA[medium](rng)
-    facts = {"medium": _scored_medium(medium, recipe), "category": category, "id": f"{category}/{index:03d}"}
     if recipe.objects == (0, 0):
         return _negative(recipe.subjects or tuple(NEGATIVES), style, index, facts, rng)
     if recipe.curved:
@@ -93,6 +89,30 @@ def draw(category: str, seed: int, index: int, *, shapes: str | None = None) -> 
     if recipe.objects != (1, 1):
         return _sheet(recipe, style, facts, rng)
     return _single(recipe, style, facts, rng)
+
+
+def pen_strokes(category: str, seed: int, index: int) -> tuple[list[Stroke], Style, dict[str, Any]]:
+    """The strokes of a drawing of one object before any ink flows, how they are drawn, and the truth.
+
+    They are those of `draw` with the same arguments, where the category has nothing beside the object.
+    """
+    recipe, style, facts, rng = _begun(category, seed, index)
+    if recipe.curved:
+        made, style, strokes = _curved_strokes(recipe, style, index, rng)
+        truth = turned_truth(made, recipe.wish.lines)
+    else:
+        prism, points, style, strokes = _strokes(recipe, style, rng)
+        truth = prism.truth(recipe.wish.lines, points)
+    return strokes, style, truth | facts | {"width": style.size[0], "height": style.size[1]}
+
+
+def _begun(category: str, seed: int, index: int) -> tuple[Recipe, Style, dict[str, Any], np.random.Generator]:
+    recipe = RECIPES[category]
+    rng = np.random.default_rng([seed, zlib.crc32(category.encode()), index])
+    medium = recipe.media[index % len(recipe.media)]
+    style = MEDIA[medium](rng)
+    facts = {"medium": _scored_medium(medium, recipe), "category": category, "id": f"{category}/{index:03d}"}
+    return recipe, style, facts, rng
 
 
 def _scored_medium(medium: str, recipe: Recipe) -> str:
@@ -103,11 +123,9 @@ def _scored_medium(medium: str, recipe: Recipe) -> str:
 
 
 def _single(recipe: Recipe, style: Style, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
-    style = _roomy(style, recipe)
-    made = scene(recipe.wish, style.size, style.pen.width, rng, _share_of_sheet(recipe, rng))
-    points = moved_vertices(made, style.hand, rng)
+    made, points, style, strokes = _strokes(recipe, style, rng)
     lines = recipe.wish.lines
-    ink = style.pen.alpha * coverage(strokes_of(made, points, lines, style.hand, rng), style.pen, style.size, rng)
+    ink = style.pen.alpha * coverage(strokes, style.pen, style.size, rng)
     for name in _chosen(recipe.marks, rng):
         ink = np.maximum(ink, MARKS[name](made, points, style.size, style.pen, rng))
     layers = _layers(recipe, Drawn(made, points, lines, style.size, style.pen, style.hand, style.ground), rng)
@@ -130,18 +148,33 @@ def _single(recipe: Recipe, style: Style, facts: dict[str, Any], rng: np.random.
     return _captured(image, truth, style, rng)
 
 
+def _strokes(recipe: Recipe, style: Style, rng: np.random.Generator) -> tuple[Scene, Floats, Style, list[Stroke]]:
+    """A prism, where the hand puts its vertices, on what sheet, and its strokes."""
+    style = _roomy(style, recipe)
+    made = scene(recipe.wish, style.size, style.pen.width, rng, _share_of_sheet(recipe, rng))
+    points = moved_vertices(made, style.hand, rng)
+    return made, points, style, strokes_of(made, points, recipe.wish.lines, style.hand, rng)
+
+
 def _curved(recipe: Recipe, style: Style, index: int, facts: dict[str, Any], rng: np.random.Generator) -> Drawing:
     """An object with arcs or an apex; its hand wanders, but its corners stay where they are."""
+    made, style, strokes = _curved_strokes(recipe, style, index, rng)
+    ink = style.pen.alpha * coverage(strokes, style.pen, style.size, rng)
+    if recipe.marks:
+        ink = np.maximum(ink, exercise(made, style.size, style.pen, style.hand, rng))
+    image = ink_on(paper(style.pattern, style.size, style.ground, rng), ink, style.pen.colour)
+    return _captured(image, turned_truth(made, recipe.wish.lines) | facts, style, rng)
+
+
+def _curved_strokes(
+    recipe: Recipe, style: Style, index: int, rng: np.random.Generator
+) -> tuple[Turned, Style, list[Stroke]]:
     kind, lines = recipe.curved[index % len(recipe.curved)], recipe.wish.lines
     fill = 0.6 if recipe.marks else 0.84
     made = turned_scene(kind, recipe.wish.views, style.size, style.pen.width, rng, fill)
     shown = [line for line in made.lines if not line.hidden or lines != "removed"]
     strokes = [s for line in shown for s in pulled(line.path, line.hidden and lines == "dashed", style.hand, rng)]
-    ink = style.pen.alpha * coverage(strokes, style.pen, style.size, rng)
-    if recipe.marks:
-        ink = np.maximum(ink, exercise(made, style.size, style.pen, style.hand, rng))
-    image = ink_on(paper(style.pattern, style.size, style.ground, rng), ink, style.pen.colour)
-    return _captured(image, turned_truth(made, lines) | facts, style, rng)
+    return made, style, strokes
 
 
 def _share_of_sheet(recipe: Recipe, rng: np.random.Generator) -> float:

@@ -55,7 +55,7 @@ class Sheet:
     @cached_property
     def places(self) -> Ints:
         """(k,) int, where in the flattened picture the points are."""
-        at = self.points.astype(np.intp)
+        at = np.rint(self.points).astype(np.intp)
         return np.asarray(at[:, 1] * self.skeleton.mask.shape[1] + at[:, 0])
 
     def inked(self, points: Floats) -> Bools:
@@ -73,6 +73,6 @@ def skeleton_sheet(skeleton: Skeleton, weights: Floats, reach: float) -> Sheet:
 
 def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
     """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little."""
-    at = skeleton.points.astype(np.intp)
+    at = np.rint(skeleton.points).astype(np.intp)
     weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
     return skeleton_sheet(skeleton, weights, reach + 0.5)

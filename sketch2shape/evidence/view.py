@@ -81,7 +81,8 @@ def observe(group: Group, skeleton: Skeleton) -> View:
     pixels, owner = np.concatenate(paths), np.repeat(np.arange(len(paths)), [len(p) for p in paths])
     step = max(1, -(-len(pixels) // MOST_POINTS))
     points, owner = pixels[::step], owner[::step]
-    small = ~group.solid[points[:, 1], points[:, 0]]
+    x, y = np.rint(points).astype(np.intp).T
+    small = ~group.solid[y, x]
     length = np.full(len(points), float(step))
     if small.any():
         length[small] *= np.where(np.array([_is_straight(p) for p in paths])[owner[small]], DASH, SPECK)
@@ -89,7 +90,7 @@ def observe(group: Group, skeleton: Skeleton) -> View:
     return View(skeleton, points.astype(float), owner, length, skeleton.pen_width, size)
 
 
-def _is_straight(path: NDArray[np.int32]) -> bool:
+def _is_straight(path: NDArray[Any]) -> bool:
     """Whether a path of pixels is."""
     if len(path) < 2:
         return False

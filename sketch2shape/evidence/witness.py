@@ -103,8 +103,8 @@ def _closed(view: View, left: Bools) -> float:
         np.bincount(view.path), 1
     )
     for k in mine[share[mine] > MOSTLY]:
-        path = view.skeleton.paths[k]
-        raster[path[:, 1], path[:, 0]] = 1
+        x, y = np.rint(view.skeleton.paths[k]).astype(np.intp).T
+        raster[y, x] = 1
     closed = cv2.dilate(raster, np.ones((3, 3), np.uint8))
     contours, tree = cv2.findContours(closed, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
     areas = [cv2.contourArea(c) for c, t in zip(contours, tree[0], strict=True) if t[3] >= 0] if contours else []

@@ -17,6 +17,7 @@ import numpy as np
 from sketch2shape.ink.background import read_ground
 from sketch2shape.ink.clutter import without_clutter
 from sketch2shape.ink.components import connected_pieces
+from sketch2shape.ink.drawn_lines import ink_of_lines
 from sketch2shape.ink.fills import without_fills, without_stains
 from sketch2shape.ink.grain import with_weak_places, without_burrs
 from sketch2shape.ink.hatch_lines import without_hatch_lines
@@ -47,9 +48,15 @@ def find_ink(source: Any) -> Ink:
     source  : path, bytes, PIL image, array (gray, RGB, RGBA), or `Picture`
     returns : `Ink` at working size; an empty mask where nothing was drawn
 
-    Raises UnreadableError or LimitError for a picture that cannot be read.
+    The lines of a vector drawing are known: they are taken as they are. Raises UnreadableError or LimitError for a
+    picture that cannot be read.
     """
     picture = read_picture(source, reduced=True)
+    return _found(picture) if picture.drawing is None else ink_of_lines(picture.drawing)
+
+
+def _found(picture: Picture) -> Ink:
+    """The ink among the pixels of a picture."""
     ground = read_ground(picture.pixels)
     scale = ground.scale / picture.reduction
     contrast, noise, page = ground.contrast, ground.noise, None

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.ink.components import Pieces, connected_pieces
-from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.ink.drawn_lines import drawn
+from sketch2shape.model import Bools, Floats, Ink, Ints, VectorLine
 
 MARGIN = 8
 SMALLEST = 0.12
@@ -114,7 +115,23 @@ def _cut(ink: Ink, corner: Floats, pieces: Pieces, mine: Bools, box: tuple[int, 
     frame = (slice(y0 - MARGIN, y1 + MARGIN), slice(x0 - MARGIN, x1 + MARGIN))
     mask, solid = (_pixels_of(pieces, some)[frame] for some in (mine, large))
     own = replace(ink, mask=mask, strength=ink.strength[frame])
-    return Group(own, corner + [x0 - MARGIN, y0 - MARGIN], solid, size, int(np.count_nonzero(mine)))
+    offset = corner + [x0 - MARGIN, y0 - MARGIN]
+    if ink.lines is not None:
+        own = replace(own, lines=_lines_on(mask, ink.lines, offset))
+        solid = solid & drawn([line.points for line in own.lines or () if not line.dashed], solid.shape)
+    return Group(own, offset, solid, size, int(np.count_nonzero(mine)))
+
+
+def _lines_on(mask: Bools, lines: tuple[VectorLine, ...], offset: Floats) -> tuple[VectorLine, ...]:
+    """Those of the sheet's lines that are drawn on a part of it, whose first pixel lies at `offset`."""
+    h, w = mask.shape
+    kept = []
+    for line in lines:
+        own = line.mapped(offset, 1.0)
+        x, y = np.rint(own.points[0]).astype(int).tolist()
+        if 0 <= x < w and 0 <= y < h and mask[y, x]:
+            kept.append(own)
+    return tuple(kept)
 
 
 def _pixels_of(pieces: Pieces, some: Bools) -> Bools:

@@ -24,9 +24,10 @@ from sketch2shape.model.boundary import (
 )
 from sketch2shape.model.curves import Arc, Circle, Curve, Line, arc_between
 from sketch2shape.model.drawing import DrawnArc, Ellipse, FacePair, Lines, Side, TwoFaceObject, ring_edges
-from sketch2shape.model.picture import Ink, Picture, to_picture, to_working
+from sketch2shape.model.picture import Ink, Picture
 from sketch2shape.model.solid import Alternative, Projection, Solid
 from sketch2shape.model.two_face_boundary import ArcPlace, two_face_boundary
+from sketch2shape.model.vectors import VectorDrawing, VectorLine
 
 __all__ = [
     "TRUSTED",
@@ -62,6 +63,8 @@ __all__ = [
     "Solid",
     "Surface",
     "TwoFaceObject",
+    "VectorDrawing",
+    "VectorLine",
     "arc_between",
     "as_gray",
     "brief",
@@ -69,7 +72,5 @@ __all__ = [
     "checked_number",
     "polyhedron",
     "ring_edges",
-    "to_picture",
-    "to_working",
     "two_face_boundary",
 ]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from sketch2shape.connectors import check_connector, connector_of
-from sketch2shape.errors import NoObjectError
+from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.evidence import REFUSE_BELOW, unexplained_strokes, vouched
 from sketch2shape.model import Answer, Floats, Ink, Picture, TwoFaceObject, checked_number
 from sketch2shape.pipeline.options import corrections_of, explained, lift_options_of, limits_of
@@ -29,8 +30,9 @@ if TYPE_CHECKING:
 
 @explained
 def reconstruct(
-    source: Any,
+    source: Any = None,
     *,
+    strokes: Iterable[ArrayLike] | None = None,
     connector: str = "auto",
     detector: str = "auto",
     limits: Limits | Mapping[str, Any] | None = None,
@@ -41,6 +43,7 @@ def reconstruct(
     """The solid shown in a drawing.
 
     source      : path, bytes, open file, PIL image, array or `Picture`, see `read_picture`
+    strokes     : in place of a source, what a pen drew: arrays (n, 2), x to the right, y down, in any order and unit
     connector   : orders the vertices of each face where the ink agrees: "auto", a method of `connect`, or "ink"
     detector    : "shi-tomasi" ("goodFeaturesToTrack"), "harris" or "both" have to see the vertices found, or
                   confidence falls; "auto" asks neither
@@ -55,8 +58,11 @@ def reconstruct(
     from sketch2shape.corrections import corrected, lift_options
     from sketch2shape.ink import find_ink
     from sketch2shape.lifting import choose_front
+    from sketch2shape.reading.pen_strokes import from_strokes
     from sketch2shape.reading.read import read_picture
 
+    if (source is None) == (strokes is None):
+        raise UsageError("a source or strokes, one of them", remedy="reconstruct('drawing.png') or strokes=[...]")
     check_connector(connector)
     if detector != "auto":
         detector = detector_named(detector)
@@ -64,7 +70,7 @@ def reconstruct(
     timings: dict[str, float] = {}
     options, corrections, limits = lift_options_of(lift), corrections_of(corrections), limits_of(limits)
     with _timed(timings, "read"):
-        picture = read_picture(source, limits, reduced=True)
+        picture = read_picture(source, limits, reduced=True) if strokes is None else from_strokes(strokes)
     if corrections is not None and corrections.complete:
         given = corrected(picture, corrections, options)
         return Result(given.objects, tuple(map(Solid.of, given.solids)), given.picture)

@@ -49,6 +49,8 @@ PLUGINS = {
 _OPTIONAL = {"JPEG2000": "jpg_2000", "AVIF": "avif"}
 #: formats that need the extra `formats`
 EXTRA = ("HEIF", "PDF", "SVG")
+#: formats that hold lines
+VECTORS = ("JSON",)
 
 #: file name endings that make a file of a folder an input; an icon is one only if it is given by name
 SUFFIXES = frozenset(
@@ -103,8 +105,18 @@ def read_picture(
     label = name or source_name(source)
     if not isinstance(source, str | os.PathLike | bytes | bytearray | memoryview) and not hasattr(source, "read"):
         return Picture(_pixels(source, limits), label)
-    pixels, full_size = _decode(read_bytes(source, limits), limits, page, reduced)
+    data = read_bytes(source, limits)
+    if sniff(data) in VECTORS:
+        return _guarded(lambda: _vectors(data, label))
+    pixels, full_size = _decode(data, limits, page, reduced)
     return Picture(pixels, label, full_size)
+
+
+def _vectors(data: bytes, label: str) -> Picture:
+    """The lines of a vector drawing."""
+    from sketch2shape.reading.vector_formats import read_json
+
+    return read_json(data, label)
 
 
 def read_pages(source: Source, limits: Limits | None = None, *, name: str | None = None) -> Iterator[Picture]:
@@ -229,6 +241,8 @@ def sniff(data: bytes) -> str | None:
         return "PPM"
     if _is_svg(data):
         return "SVG"
+    if data[:64].lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"["):
+        return "JSON"
     return "TGA" if _is_tga(data) else None
 
 

@@ -18,7 +18,7 @@ from sketch2shape.evidence import Evidence, sheet_for
 from sketch2shape.hypotheses import Rings, caps, coincide, enclosed_regions
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.lifting import choose_front
-from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject, checked_count, to_picture, to_working
+from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject, checked_count
 from sketch2shape.search.attempts import GOOD, wire_hypotheses
 from sketch2shape.search.shortlist import MOST_HYPOTHESES, verified
 from sketch2shape.search.tolerances import Round, corner_graph, rounds_for, vertex_candidates
@@ -48,7 +48,7 @@ def separate_faces(
     ink = ink_of(source)
     if isinstance(corners, DetectedCorners):
         corners = corners.vertices
-    known = None if corners is None else to_working(as_points(corners, minimum=6), ink.scale)
+    known = None if corners is None else ink.to_working(as_points(corners, minimum=6))
     found = []
     for group in split_groups(ink):
         own = known if known is None else known - group.offset
@@ -102,10 +102,7 @@ def _alike(a: TwoFaceObject, b: TwoFaceObject) -> bool:
 
 def as_object(rings: Rings, evidence: Evidence, ink: Ink) -> TwoFaceObject:
     """A hypothesis of the whole sheet in picture pixels; its confidence is how well it explains the drawing."""
-    pairs = [
-        FacePair(to_picture(a, ink.scale), to_picture(b, ink.scale))
-        for a, b in zip(rings.front, rings.back, strict=True)
-    ]
+    pairs = [FacePair(ink.to_picture(a), ink.to_picture(b)) for a, b in zip(rings.front, rings.back, strict=True)]
     return TwoFaceObject(
         pairs[0].f1,
         pairs[0].f2,

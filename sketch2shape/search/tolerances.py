@@ -144,7 +144,7 @@ class Traced:
     @cached_property
     def dash_ends(self) -> Floats:
         """(k, 2) float, pixels: where strokes of small pieces of ink, such as dashes, end or meet."""
-        at = self.skeleton.points.astype(np.intp)
+        at = np.rint(self.skeleton.points).astype(np.intp)
         if self.group.solid[at[:, 1], at[:, 0]].all():
             return np.zeros((0, 2))
         strokes = trace_skeleton(self.skeleton, self.tolerance, self.group.ink.mask & ~self.group.solid)

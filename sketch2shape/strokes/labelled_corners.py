@@ -14,7 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sketch2shape.model import Bools, Brief, Floats, Ints, to_picture
+from sketch2shape.model import Bools, Brief, Floats, Ints
 from sketch2shape.strokes.corner_detectors import DETECTORS, Detector, detector_named, near, propose, reach_of
 from sketch2shape.strokes.junctions import Corners as Joined
 from sketch2shape.strokes.junctions import join_ends, slanted_pairs
@@ -89,12 +89,12 @@ def detect_corners(source: Any, detector: Detector = "both", *, tolerance: float
     seen = {name: near(found.points, place, reach) for name, place in places.items()}
     keep = np.flatnonzero(seen["shi-tomasi"] | seen["harris"])
     return DetectedCorners(
-        to_picture(found.points[keep], ink.scale),
+        ink.to_picture(found.points[keep]),
         tuple(found.kinds[k] for k in keep),
         found.degree[keep],
         seen["shi-tomasi"][keep],
         seen["harris"][keep],
-        to_picture(found.placed[keep], ink.scale),
+        ink.to_picture(found.placed[keep]),
     )
 
 

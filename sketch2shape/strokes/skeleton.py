@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.ink import drawn
 from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.strokes.known_lines import known_paths
 
 FAR = 6.0
 """Pixels from the skeleton up to which a dilation is faster than a distance transform."""
@@ -21,13 +24,14 @@ class Skeleton:
 
     mask      : (h, w) uint8, 1 on the skeleton
     points    : (k, 2) float, x and y of its pixels
-    paths     : (m, 2) int32 each, x and y of the pixels of every branch in walking order
+    paths     : (m, 2) int32 each, x and y of the pixels of every branch in walking order; float where the lines are
+                known, not thinned
     pen_width : pixels
     """
 
     mask: NDArray[np.uint8]
     points: Floats
-    paths: tuple[NDArray[np.int32], ...]
+    paths: tuple[NDArray[Any], ...]
     pen_width: float
 
     @cached_property
@@ -46,7 +50,11 @@ class Skeleton:
 
 
 def thin(ink: Ink) -> Skeleton:
-    """Skeleton of the ink, split into its branches."""
+    """Skeleton of the ink, split into its branches; of lines that are known, those themselves."""
+    if ink.lines is not None:
+        known = known_paths(ink.lines, ink.mask.shape)
+        drawn_thinly = drawn(known, ink.mask.shape, 1).view(np.uint8)
+        return Skeleton(drawn_thinly, np.concatenate([np.zeros((0, 2)), *known]), tuple(known), ink.pen_width)
     from skimage.morphology import skeletonize
 
     # scikit-image before 0.23 refuses a view into a larger picture

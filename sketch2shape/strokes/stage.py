@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from sketch2shape.ink import find_ink
-from sketch2shape.model import Ink, checked_number, to_picture
+from sketch2shape.model import Ink, checked_number
 from sketch2shape.strokes.skeleton import thin
 from sketch2shape.strokes.tracing import Strokes, trace_skeleton
 
@@ -29,7 +29,7 @@ def trace_strokes(source: Any, *, tolerance: float | None = None) -> Strokes:
     """
     ink = ink_of(source)
     strokes = drawn_strokes(ink, working_tolerance(ink, tolerance))
-    return replace(strokes, ends=to_picture(strokes.ends, ink.scale), tolerance=strokes.tolerance / ink.scale)
+    return replace(strokes, ends=ink.to_picture(strokes.ends), tolerance=strokes.tolerance / ink.scale)
 
 
 def drawn_strokes(ink: Ink, tolerance: float) -> Strokes:

@@ -10,9 +10,11 @@ may have strayed from a straight line.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from sketch2shape.geometry import fit_lines, moments
 from sketch2shape.model import Bools, Brief, Floats, Ints
@@ -52,21 +54,47 @@ def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> tuple[
 
     Returns pixels (n, 2), one path after the other, and where among them each run begins and ends (with its last).
     """
-    paths = [p for p in skeleton.paths if len(p) > 1 and (where is None or where[p[0, 1], p[0, 0]])]
+    paths = [p for p in skeleton.paths if len(p) > 1 and (where is None or _is_on(where, p[len(p) // 2]))]
     if not paths:
         return np.zeros((0, 2)), np.zeros(0, np.intp), np.zeros(0, np.intp)
     points = np.concatenate(paths)
-    place = np.empty(skeleton.mask.shape, np.intp)
-    place[points[:, 1], points[:, 0]] = np.arange(len(points))
-    bends = [cv2.approxPolyDP(p[:, None], tolerance, False)[:, 0] if len(p) > 2 else p for p in paths]
-    x, y = np.concatenate(bends).T
-    # an index can fall only where a path crosses itself
-    index = np.maximum.accumulate(place[y, x])
+    is_thinned = points.dtype.kind == "i"
+    bends = _pixel_bends(paths, tolerance, skeleton.mask.shape) if is_thinned else _point_bends(paths, tolerance)
+    index = np.concatenate(bends)
     run = np.diff(index) > 0
     run[np.cumsum([len(b) for b in bends])[:-1] - 1] = False
     first, last = index[:-1][run], index[1:][run]
     order = np.argsort(first - last, kind="stable")[:MOST_PIECES]
     return points.astype(np.float64), first[order], last[order]
+
+
+def _is_on(where: Bools, point: NDArray[Any]) -> bool:
+    x, y = np.rint(point).astype(int).tolist()
+    return bool(where[y, x])
+
+
+def _pixel_bends(paths: list[NDArray[Any]], tolerance: float, shape: tuple[int, int]) -> list[Ints]:
+    """Where each path begins, bends and ends, among the pixels of all."""
+    points = np.concatenate(paths)
+    place = np.empty(shape, np.intp)
+    place[points[:, 1], points[:, 0]] = np.arange(len(points))
+    bends = [cv2.approxPolyDP(p[:, None], tolerance, False)[:, 0] if len(p) > 2 else p for p in paths]
+    x, y = np.concatenate(bends).T
+    # an index can fall only where a path crosses itself
+    index = np.maximum.accumulate(place[y, x])
+    return np.split(index, np.cumsum([len(b) for b in bends])[:-1])
+
+
+def _point_bends(paths: list[NDArray[Any]], tolerance: float) -> list[Ints]:
+    """The same for paths of points between the pixels."""
+    bends, start = [], 0
+    for path in paths:
+        fine = np.ascontiguousarray(path, np.float32)
+        kept = cv2.approxPolyDP(fine[:, None], tolerance, False)[:, 0]
+        x_and_y = np.complex64
+        bends.append(start + np.flatnonzero(np.isin(fine.view(x_and_y), np.ascontiguousarray(kept).view(x_and_y))))
+        start += len(path)
+    return bends
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from sketch2shape.ui.guard import Guard, read_body
 from sketch2shape.ui.openapi import MEDIA, OPTIONS, description
 from sketch2shape.ui.workers import WorkerPool, Workers
 
-_KINDS = ("image/", "application/octet-stream", "application/pdf", "multipart/form-data")
+_KINDS = ("image/", "application/octet-stream", "application/pdf", "application/json", "multipart/form-data")
 
 
 def create_service(

@@ -40,7 +40,7 @@ _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, me
     },
 }
 
-_PICTURE_KINDS = ("image/", "application/octet-stream", "application/pdf")
+_PICTURE_KINDS = ("image/", "application/octet-stream", "application/pdf", "application/json")
 _LIFT_SECONDS, _MOST_JSON = 15.0, 2**20
 
 

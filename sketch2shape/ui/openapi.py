@@ -67,6 +67,7 @@ def description() -> dict[str, Any]:
                         "content": {
                             "image/*": picture,
                             "application/pdf": picture,
+                            "application/json": picture,
                             "application/octet-stream": picture,
                             "multipart/form-data": {"schema": form},
                         },

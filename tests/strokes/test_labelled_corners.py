@@ -7,7 +7,6 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, line, paper, prism, same_o
 
 import sketch2shape as s2s
 from sketch2shape.errors import UnreadableError, UsageError
-from sketch2shape.model import to_picture
 from sketch2shape.strokes import propose
 
 
@@ -37,7 +36,7 @@ def test_each_detector_gives_its_own_corners():
     ink = s2s.find_ink(picture)
     given = {name: s2s.detect_corners(picture, name).points for name in ("both", "shi-tomasi", "harris")}
     for name in ("shi-tomasi", "harris"):
-        assert np.array_equal(given[name], to_picture(propose(ink, name), ink.scale))
+        assert np.array_equal(given[name], ink.to_picture(propose(ink, name)))
     sets = {frozenset(map(tuple, points.tolist())) for points in given.values()}
     assert len(sets) == 3
     assert np.array_equal(given["shi-tomasi"], s2s.detect_corners(picture, "goodFeaturesToTrack").points)

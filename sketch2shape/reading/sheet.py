@@ -1,0 +1,81 @@
+"""From lines in a file's own coordinates to a vector drawing on a sheet, and a view of it for people."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.errors import LimitError, UnreadableError
+from sketch2shape.model import Floats, Picture, VectorDrawing, VectorLine
+
+MOST_POINTS = 100_000
+"""Points of all lines together: the longest drawing by hand has a tenth of it."""
+LARGEST = 1e9
+"""Coordinates beyond this are none of a drawing."""
+BORDER = 0.05
+"""Empty border around lines that come without a sheet, as a part of their longer side."""
+SMALLEST = 200.0
+"""Longer side below which a sheet is enlarged by tens: its lengths are no pixels but inches, or parts of a window."""
+VIEW = 960
+"""Longer side of the view, pixels, at most."""
+INK = (30, 30, 30)
+"""Colour of the lines in the view."""
+
+
+def picture_of(
+    lines: Sequence[VectorLine], *, page: tuple[float, float] | None = None, source: str = "<strokes>"
+) -> Picture:
+    """A picture of lines in their own coordinates.
+
+    page : width and height of the sheet whose upper left corner is (0, 0); None: a sheet that fits. It begins at (0, 0)
+           unless some coordinate is negative
+
+    Raises UnreadableError for coordinates that are no numbers, LimitError for too many points.
+    """
+    drawing = _placed([line for line in lines if len(line.points)], page)
+    return _seen(drawing, source)
+
+
+def _placed(lines: list[VectorLine], page: tuple[float, float] | None) -> VectorDrawing:
+    count = sum(len(line.points) for line in lines)
+    if count > MOST_POINTS:
+        raise LimitError(f"{count} points are too many", remedy=f"a drawing of at most {MOST_POINTS} points")
+    points = np.concatenate([np.zeros((0, 2)), *(line.points for line in lines)])
+    if not (np.abs(points) <= LARGEST).all():
+        raise UnreadableError("it holds coordinates that are no numbers, or huge ones", remedy="save it again")
+    origin, size = _sheet(points, page)
+    scale = 10.0 ** math.ceil(max(0.0, math.log10(SMALLEST / max(float(size.max()), 1e-9))))
+    width, height = (max(1, math.ceil(n)) for n in (size * scale).tolist())
+    moved = tuple(line.mapped(origin, scale) for line in lines)
+    return VectorDrawing(moved, (width, height), (float(origin[0]), float(origin[1])), scale)
+
+
+def _sheet(points: Floats, page: tuple[float, float] | None) -> tuple[Floats, Floats]:
+    """Upper left corner and size of the sheet, in the lines' own coordinates."""
+    if page is not None and all(0 < side <= LARGEST for side in page):
+        return np.zeros(2), np.array(page, np.float64)
+    if not len(points):
+        return np.zeros(2), np.array([SMALLEST, SMALLEST])
+    low, high = points.min(axis=0), points.max(axis=0)
+    border = BORDER * max(float((high - low).max()), 1e-9)
+    origin = np.zeros(2) if (low >= 0).all() else np.floor(low - border)
+    return origin, high + border - origin
+
+
+def _seen(drawing: VectorDrawing, source: str) -> Picture:
+    """The drawing with a view of it, which is reduced by a whole number where the sheet is large."""
+    width, height = drawing.size
+    step = -(-max(width, height) // VIEW)
+    pixels = np.full((max(1, height // step), max(1, width // step), 3), 255, np.uint8)
+    for line in drawing.lines:
+        _draw(pixels, (line.points + 0.5) / step - 0.5, line.dashed)
+    return Picture(pixels, source, drawing.size if step > 1 else None, drawing)
+
+
+def _draw(pixels: NDArray[np.uint8], points: Floats, dashed: bool) -> None:
+    fixed = np.rint(np.clip(points, -(2**15), 2**15) * 16).astype(np.int32)
+    cv2.polylines(pixels, [fixed], False, INK if not dashed else (150, 150, 150), 2, cv2.LINE_AA, 4)
