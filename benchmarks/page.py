@@ -35,13 +35,17 @@ def write(path: Path, reports: Sequence[Report], command: str) -> None:
         parts += [text_of(table) for table in report.tables]
         for plot in report.plots:
             name = f"performance_{plot.name}.svg"
-            _draw(plot, path.parent / name)
-            parts.append(f"![time against {plot.x}]({name})\n")
+            if _draw(plot, path.parent / name):
+                parts.append(f"![time against {plot.x}]({name})\n")
     path.write_text("\n".join(parts).rstrip() + "\n")
 
 
-def _draw(plot: Plot, path: Path) -> None:
-    import matplotlib as mpl
+def _draw(plot: Plot, path: Path) -> bool:
+    """Draw a plot, unless matplotlib is not installed."""
+    try:
+        import matplotlib as mpl
+    except ImportError:
+        return False
 
     mpl.use("svg")
     mpl.rcParams["svg.hashsalt"] = "sketch2shape"
@@ -55,3 +59,4 @@ def _draw(plot: Plot, path: Path) -> None:
     axes.legend()
     figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
+    return True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -12,6 +13,7 @@ import numpy as np
 from benchmarks import subjects
 from benchmarks.single import floor, ours
 from benchmarks.timing import Call, Report, Table, command, in_turn, times
+from sketch2shape.errors import MissingPackageError
 from sketch2shape.model.arrays import Floats
 
 
@@ -65,11 +67,14 @@ def connectors(_scratch: Path, quick: bool) -> Report:
     points = comb(12)
     calls: dict[str, Callable[[], object]] = {"scipy convex hull": lambda: ConvexHull(points)}
     calls |= _libraries(points)
-    calls |= _ours(points)
+    own, absent = _ours(points)
+    calls |= own
     repeated = {name: (lambda c=call: [c() for _ in range(20)]) for name, call in calls.items()}
     t = in_turn(repeated, 2 if quick else 7)
     rows = [[name, times(t[name] / t["scipy convex hull"])] for name in calls]
     words = f"One face of {len(points)} vertices, unordered; over `scipy.spatial.ConvexHull`."
+    if absent:
+        words += f" Not installed here: what {', '.join(absent)} needs."
     return Report([Table("Connectors", words, ["method", "times"], rows)])
 
 
@@ -94,17 +99,24 @@ def _libraries(points: Floats) -> dict[str, Callable[[], object]]:
     return out | {"concave-hull": lambda: concave_hull_indexes(points, concavity=1.0)}
 
 
-def _ours(points: Floats) -> dict[str, Callable[[], object]]:
+def _ours(points: Floats) -> tuple[dict[str, Callable[[], object]], list[str]]:
+    """A call for each of our methods, and the methods whose package is not installed."""
     from sketch2shape.connectors import connect
     from sketch2shape.connectors import methods as names
 
-    def one(method: str) -> Callable[[], object]:
-        def call() -> object:
-            try:
-                return connect(points, method=method)
-            except ValueError:
-                return None
+    def one(method: str) -> object:
+        try:
+            return connect(points, method=method)
+        except ValueError:
+            return None
 
-        return call
-
-    return {f"`{name}`": one(name) for name in names()}
+    calls: dict[str, Callable[[], object]] = {}
+    absent = []
+    for name in names():
+        try:
+            one(name)
+        except MissingPackageError:
+            absent.append(f"`{name}`")
+        else:
+            calls[f"`{name}`"] = partial(one, name)
+    return calls, absent

@@ -76,3 +76,29 @@ def test_the_page_shows_each_table_and_plot(tmp_path):
     assert "| ours | 1.20 |" in text
     assert "python -m benchmarks" in text
     assert (tmp_path / "performance_size.svg").read_text().startswith("<?xml")
+
+
+def _called(call):
+    call()
+    return 1.0
+
+
+def test_what_is_not_installed_is_left_out_and_named(tmp_path, monkeypatch):
+    for name in ("concave_hull", "vtracer", "matplotlib"):
+        monkeypatch.setitem(sys.modules, name, None)
+    monkeypatch.setattr(
+        module("peers"), "in_turn", lambda calls, _rounds: {name: _called(call) for name, call in calls.items()}
+    )
+    monkeypatch.setattr(module("peers").shutil, "which", lambda _name: None)
+    monkeypatch.setattr(module("peers"), "times", str)
+    monkeypatch.setattr(module("peers").subjects, "small_drawings", lambda _scratch, _number: [])
+    (hulls,) = module("peers").connectors(tmp_path, quick=True).tables
+    assert "what `concave-hull` needs" in hulls.words
+    assert "`auto`" in [row[0] for row in hulls.rows]
+    (tracers,) = module("peers").tracers(tmp_path, quick=True).tables
+    assert "Not installed here: potrace, vtracer" in tracers.words
+    plot = module("timing").Plot("size", "megapixels", "time", {"ours": ([1, 10], [1, 9])})
+    module("page").write(
+        tmp_path / "performance.md", [module("timing").Report([hulls], [plot])], "python -m benchmarks"
+    )
+    assert "performance_size.svg" not in (tmp_path / "performance.md").read_text()

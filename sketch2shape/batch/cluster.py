@@ -1,8 +1,8 @@
 """The same batch on a Dask cluster: tasks go to its scheduler, files lie on storage that all machines share.
 
 Strategy: the cluster does what it is good at (it hands a task whose worker has died to another one), and nothing is
-asked of it that it does not have: a time limit is kept by a watchdog in the worker, which ends its process, and
-the memory limit is the one that the worker was started with.
+asked of it that it does not have: a limit on computing time is kept by a watchdog in the worker, which ends its
+process, and the memory limit is the one that the worker was started with.
 """
 
 from __future__ import annotations
@@ -10,11 +10,13 @@ from __future__ import annotations
 import contextlib
 import os
 import threading
+import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
+from sketch2shape.batch.pool import WAITING
 from sketch2shape.conversion.convert import Outcome, Task, report_failure
 from sketch2shape.errors import CrashError, MissingPackageError, Sketch2ShapeError, UsageError
 
@@ -106,10 +108,35 @@ def _absolute(task: Task) -> Task:
 
 def _watched(work: Callable[[Task], Outcome], task: Task, timeout: float | None) -> Outcome:
     """Run on the worker: end its process if the task takes too long; the watchers of the cluster start another."""
-    watchdog = threading.Timer(timeout or threading.TIMEOUT_MAX, os._exit, args=(1,))
-    watchdog.daemon = True
+    if timeout is None:
+        return work(task)
+    done = threading.Event()
+    watchdog = threading.Thread(target=_end_if_late, args=(done, timeout, _computing_time()), daemon=True)
     watchdog.start()
     try:
         return work(task)
     finally:
-        watchdog.cancel()
+        done.set()
+        watchdog.join()
+
+
+def _end_if_late(done: threading.Event, timeout: float, computed: Callable[[], float]) -> None:
+    """End this process once a task has computed, or taken by the clock, for longer than it may."""
+    begin = time.monotonic()
+
+    def left() -> float:
+        return min(timeout - computed(), WAITING * timeout - (time.monotonic() - begin))
+
+    while not done.wait(max(left(), 0.0)):
+        if left() <= 0.0:
+            os._exit(1)
+
+
+def _computing_time() -> Callable[[], float]:
+    """What tells the seconds that the calling thread has computed from now on; by the clock where the system cannot."""
+    if not hasattr(time, "pthread_getcpuclockid"):
+        begin = time.monotonic()
+        return lambda: time.monotonic() - begin
+    clock = time.pthread_getcpuclockid(threading.get_ident())
+    start = time.clock_gettime(clock)
+    return lambda: time.clock_gettime(clock) - start

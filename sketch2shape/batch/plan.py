@@ -159,13 +159,16 @@ def _candidates(short: str, name: str, alone: bool) -> Iterator[str]:
 def settle(plan: Plan, *, versioned: bool, ours: Collection[str] = ()) -> Plan:
     """Refuse outputs that exist, or move them aside to free names if `versioned`. `ours` may be replaced.
 
-    Raises WriteError.
+    Raises WriteError, but UnreadableError if an input is missing, too: that is said first.
     """
     mine = frozenset(ours)
     taken = [o.path for item in plan.items for o in item.outputs if o.path not in mine and os.path.lexists(o.path)]
     if not taken:
         return plan
     if not versioned:
+        missing = next((item.path for item in plan.items if not os.path.lexists(item.path)), None)
+        if missing is not None:  # a word that is no picture was hardly meant to be one, and says more than what exists
+            raise UnreadableError(f"{missing}: no such file or directory", remedy="check the path")
         more = f" and {len(taken) - 1} more" if len(taken) > 1 else ""
         raise WriteError(f"{taken[0]}{more} exists already", remedy="--resume, --overwrite, --versioned, or another -o")
     planned = {fold(o.path) for item in plan.items for o in item.outputs}

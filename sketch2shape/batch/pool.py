@@ -40,7 +40,7 @@ _TRIES = 3
 #: a pool is broken if for this long it has items and works on none, seconds; starting workers takes a few
 _PATIENCE = 20.0
 #: times the limit on computing that an item may take by the clock: it may wait for the disk, or for other programs
-_WAITING = 5.0
+WAITING = 5.0
 #: how often the loop looks up from waiting, seconds
 _POLL = 1.0
 
@@ -159,7 +159,7 @@ class _Crew:
     def _scheduled(self, item: _Item[Any]) -> Future[Any] | None:
         """The item's future, None if there is no pool to be had."""
         call = partial(_call, self._work, self._timeout)
-        clock = None if self._timeout is None else self._timeout * (_WAITING if HAS_TIMER else 1.0)
+        clock = None if self._timeout is None else self._timeout * (WAITING if HAS_TIMER else 1.0)
         reason = "the pool of workers broke"
         for _ in range(2):
             try:

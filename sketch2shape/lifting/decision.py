@@ -139,9 +139,10 @@ def all_readings(given: Drawing, ratio: float | None = None) -> list[Reading]:
     faces = [f for k, (drawing, order) in enumerate(pairs) for f in _faces(drawing, order, given=k == 0)]
     best = max(f.hoped for f in faces)
     found: list[Reading] = []
-    for f in faces:
-        if f.hoped >= best - _HOPELESS:
-            found += _of_parallel(f, ratio)
+    for f in sorted(faces, key=lambda f: -f.hoped):
+        if found and f.hoped < best - _HOPELESS:
+            break  # not before anything is found: faces told apart from parallelograms may turn out to be some
+        found += _of_parallel(f, ratio)
     parallel = max(of_alike_faces(drawing.relation, drawing.noise).odds for drawing, _ in pairs)
     for drawing, order in pairs:
         found += _of_perspective(drawing, order, parallel)

@@ -18,6 +18,9 @@ _MILLIMETRES: dict[str, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4
 #: sizes that a user may give, as the upright solid has them
 SIZES = ("width", "height", "depth")
 
+#: the least and the largest length, whatever its unit: beyond them the numbers of a file no longer tell vertices apart
+_LEAST, _LARGEST = 1e-6, 1e9
+
 _LENGTH = re.compile(r"\s*([0-9]*\.?[0-9]+(?:[eE][+-]?[0-9]+)?)\s*(mm|cm|m|in|px)?\s*")
 
 
@@ -96,14 +99,17 @@ def length(text: str | float | None, unit: str) -> float | None:
     >>> length("40mm", "cm")
     4.0
 
-    Raises UsageError if it is not a positive length.
+    Raises UsageError if it is not a positive length, or one that no file can hold.
     """
     if text is None:
         return None
     match = _LENGTH.fullmatch(str(text))
     value = float(match[1]) if match else math.nan
-    if not (match and 0.0 < value < 1e9):
+    if not (match and 0.0 < value < math.inf):
         raise UsageError(f"{text!r} is not a length", remedy="a positive number with mm, cm, m or in, as in 40mm")
+    if not _LEAST <= value <= _LARGEST:
+        how = "small" if value < _LEAST else "large"
+        raise UsageError(f"{text} is too {how} for a solid", remedy=f"a length from {_LEAST:g} to {_LARGEST:g}")
     own = match[2] or unit
     if own == unit or "px" in (own, unit):
         return value

@@ -15,6 +15,7 @@ import pytest
 import stand_in
 from PIL import Image
 
+from sketch2shape.batch import cluster
 from sketch2shape.command.parser import parse
 from sketch2shape.command.run import run
 from sketch2shape.errors import MissingPackageError, UsageError
@@ -25,7 +26,7 @@ ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
-def cluster(tmp_path):
+def scheduler(tmp_path):
     """Address of a scheduler, and its two workers."""
     note = tmp_path / "scheduler.json"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([os.path.dirname(stand_in.__file__), str(ROOT)])}
@@ -53,8 +54,8 @@ def here(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_a_killed_worker_costs_nothing(here, cluster):
-    address, workers = cluster
+def test_a_killed_worker_costs_nothing(here, scheduler):
+    address, workers = scheduler
 
     over = threading.Event()
 
@@ -74,6 +75,40 @@ def test_a_killed_worker_costs_nothing(here, cluster):
     assert run(parse(["in", "-o", "alone", "--json", "--jobs", "2"]), stand_in.work) == 3
     assert contents("out") == contents("alone")
     assert len(contents("out")) == 40
+
+
+@pytest.fixture
+def ended(monkeypatch):
+    """Set once the watchdog ends the process, which here it only says."""
+    said = threading.Event()
+
+    monkeypatch.setattr(os, "_exit", lambda _code: said.set())
+    return said
+
+
+def test_a_task_that_computes_too_long_ends_its_worker(ended):
+    def compute(_task):
+        begin = time.monotonic()
+        while not ended.is_set() and time.monotonic() - begin < 60:
+            pass
+
+    cluster._watched(compute, None, 0.05)
+    assert ended.is_set()
+
+
+def test_and_one_that_waits_only_after_a_few_times_that(ended, monkeypatch):
+    monkeypatch.setattr(cluster, "WAITING", 1e6)
+    cluster._watched(lambda _task: time.sleep(0.3), None, 0.1)
+    assert not ended.is_set()
+    monkeypatch.setattr(cluster, "WAITING", 0.1)
+    cluster._watched(lambda _task: ended.wait(60), None, 1.0)
+    assert ended.is_set()
+
+
+def test_where_threads_have_no_clock_that_of_the_wall_counts(ended, monkeypatch):
+    monkeypatch.delattr(time, "pthread_getcpuclockid", raising=False)
+    cluster._watched(lambda _task: ended.wait(60), None, 0.05)
+    assert ended.is_set()
 
 
 def contents(folder):

@@ -121,6 +121,13 @@ def test_existing_outputs_are_refused_or_moved_aside(here):
     assert moved == {"a.2.png": "out/a.2.obj", "a.png": "out/a.3.obj"}
 
 
+def test_a_missing_input_is_said_before_outputs_that_exist(here):
+    touch("in/a.png", "out/a.obj")
+    plan = make_plan(["in/a.png", "in/b.png"], "out", ["obj"])
+    with pytest.raises(UnreadableError, match=r"in/b\.png: no such file"):
+        settle(plan, versioned=False)
+
+
 _NAMES = [
     f"{stem}.{end}" for stem, end in product(["a", "A", "a.png", "a.png~2", "b", "ß", "ss"], ["png", "jpg", "PNG"])
 ]

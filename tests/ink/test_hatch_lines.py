@@ -98,3 +98,13 @@ def test_dashes_are_no_hatching() -> None:
             cv2.line(image, (x, y), (x + 8, y), 1, 2)
     mask = image > 0
     assert (without_hatch_lines(mask) == mask).all()
+
+
+def test_noise_is_not_followed_piece_by_piece(monkeypatch: pytest.MonkeyPatch) -> None:
+    noise = np.random.default_rng(1).random((900, 1200)) < 0.08
+
+    def never(*_: object) -> None:
+        pytest.fail("thousands of pieces are traced")
+
+    monkeypatch.setattr("sketch2shape.ink.hatch_lines.lines_of", never)
+    assert without_hatch_lines(noise) is noise

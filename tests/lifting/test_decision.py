@@ -44,6 +44,15 @@ def test_a_far_face_a_little_off_in_size_is_a_careless_hand(scale):
     assert 110 < depth < 260
 
 
+def test_a_face_too_uneven_for_a_parallelogram_yet_with_parallel_sides_has_a_reading():
+    # the far face is 5 px wider at one side only: by its noise no parallelogram, by its directions one
+    front = np.array([[60, 182], [60, 441], [318, 441], [318, 182.0]])
+    back = np.array([[180, 60], [180, 318], [446, 315], [444, 57.0]])
+    solid = lift(TwoFaceObject(front, back, lines="removed", noise=0.3))
+    assert solid.projection.family == "oblique"
+    assert solid.dimensions[0] / solid.dimensions[1] == pytest.approx(1.0, abs=0.02)
+
+
 def box_by_hand(text):
     """Twelve edges as pairs of ends, joined where they nearly meet, as the reader joins them."""
     ends = np.array([[float(c) for c in end.split(",")] for edge in text.split() for end in edge.split("-")])

@@ -31,6 +31,12 @@ def test_nonsense_is_refused(options):
         LiftOptions(**options)
 
 
+@pytest.mark.parametrize("text", ["1e-9mm", "1e12mm", 1e-7])
+def test_lengths_that_no_file_can_hold_are_refused(text):
+    with pytest.raises(UsageError, match="is too"):
+        LiftOptions(width=text)
+
+
 def test_unit_follows_the_sizes_unless_it_is_given():
     assert LiftOptions(width="40mm").solid_unit == "mm"
     assert LiftOptions(width="40mm", unit="cm").sizes() == (4.0, None, None)
