@@ -17,6 +17,7 @@ PRELOAD = (
     *(
         "sketch2shape.conversion.convert",
         "sketch2shape.pipeline.reconstruction",
+        "sketch2shape.reading.pen_strokes",
         "sketch2shape.ink.find",
         "sketch2shape.lifting",
     ),
