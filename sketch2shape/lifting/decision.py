@@ -23,6 +23,7 @@ from sketch2shape.lifting.evidence import (
     parallels_odds,
     tapered_odds,
 )
+from sketch2shape.lifting.face import edge_vectors
 from sketch2shape.lifting.face_relation import relate_faces
 from sketch2shape.lifting.parallel import (
     CABINET,
@@ -35,7 +36,7 @@ from sketch2shape.lifting.parallel import (
 from sketch2shape.lifting.perspective import facing_shape, perspective_shape, seen_by_cameras
 from sketch2shape.lifting.projection import Drawing
 from sketch2shape.lifting.reading import ParallelReading, Pose, read_parallel, refined_pose
-from sketch2shape.lifting.regularity import find_relations
+from sketch2shape.lifting.regularity import Relations, find_edge_relations, find_relations
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.model import Floats, Ints
 
@@ -114,12 +115,15 @@ class _Faces:
     @property
     def tapered(self) -> float:
         """Log odds of a tapered object besides `odds`."""
+        if self.drawing.pointed:
+            return 0.0
         return _TAPERED + tapered_odds(self.taper, self.loose)
 
     @property
     def facing(self) -> float:
         """Log odds of a prism that faces the viewer in perspective besides `odds`."""
-        if self.taper == 1.0 or (self.drawing.hidden and self.taper > _LARGER):
+        bent = self.drawing.bent is not None or self.drawing.pointed
+        if bent or self.taper == 1.0 or (self.drawing.hidden and self.taper > _LARGER):
             return -math.inf
         return _PERSPECTIVE + facing_odds(self.taper, self.loose)
 
@@ -130,7 +134,10 @@ class _Faces:
 
     def placed(self, shape: Shape) -> Shape:
         """A shape made from these faces."""
-        return replace(shape, order=self.order, noise=self.noise, taper=self.taper)
+        drawing = self.drawing
+        return replace(
+            shape, order=self.order, noise=self.noise, taper=self.taper, bent=drawing.bent, pointed=drawing.pointed
+        )
 
 
 def all_readings(given: Drawing, ratio: float | None = None) -> list[Reading]:
@@ -143,6 +150,8 @@ def all_readings(given: Drawing, ratio: float | None = None) -> list[Reading]:
         if found and f.hoped < best - _HOPELESS:
             break  # not before anything is found: faces told apart from parallelograms may turn out to be some
         found += _of_parallel(f, ratio)
+    if given.bent is not None or given.pointed:
+        return sorted(found, key=lambda r: -r.odds)
     parallel = max(of_alike_faces(drawing.relation, drawing.noise).odds for drawing, _ in pairs)
     for drawing, order in pairs:
         found += _of_perspective(drawing, order, parallel)
@@ -159,7 +168,10 @@ def _placed(pair: Drawing, order: Ints | None, toward: Floats) -> tuple[Drawing,
 
 def _faces(drawing: Drawing, order: Ints | None, *, given: bool) -> Iterator[_Faces]:
     """What this pair of faces may be: alike or of two sizes; and if they have four sides, parallelograms or not."""
-    skews = [None, _skew(drawing)] if drawing.sizes == [4] else [None]
+    if drawing.pointed:
+        yield _pyramid(drawing)
+        return
+    skews = [None, _skew(drawing)] if drawing.is_box else [None]
     for skew in skews:
         alike = of_alike_faces(drawing.relation, drawing.noise, skew)
         if skew is None:
@@ -169,6 +181,12 @@ def _faces(drawing: Drawing, order: Ints | None, *, given: bool) -> Iterator[_Fa
         if drawing.relation.scale > 0.0:
             scaled = of_scaled_faces(drawing.relation, drawing.noise, skew)
             yield _explained(drawing, order, scaled, drawing.relation.scale, skew)
+
+
+def _pyramid(drawing: Drawing) -> _Faces:
+    """A face and a point over its middle."""
+    d = drawing.second[0] - drawing.middle(drawing.first)
+    return _Faces(drawing, drawing.noise, None, drawing.first, d, 0.0, 0.0, 0.0)
 
 
 def _skew(drawing: Drawing) -> tuple[float, float]:
@@ -189,7 +207,7 @@ def _explained(
     if skew is not None:
         face = _straightened(face)
         odds += math.log(_BOX) + 2.0 * math.log(max(_BEND * drawing.diagonal / (noise * math.sqrt(skew[1])), 1.0))
-    elif drawing.sizes == [4]:
+    elif drawing.is_box:
         odds += math.log(1.0 - _BOX)
     known = int(drawing.known.sum())
     own = noise * (math.sqrt(0.5) if known == len(face) else 1.0)
@@ -226,14 +244,16 @@ def _of_parallel(faces: _Faces, ratio: float | None) -> Iterator[Reading]:
     drawing = faces.drawing
     known = int(drawing.known.sum())
     wobble = drawing.noise * math.sqrt(2.0 / max(known, 1)) / math.hypot(*faces.d.tolist())
-    relations = find_relations(faces.face, drawing.sizes, faces.face, faces.noise)
+    relations = _relations(faces)
     fit = faces.odds
     if not faces.straight:
-        if drawing.sizes == [4] and len(relations.edges) == 2:
+        if drawing.is_box and len(relations.edges) == 2:
             return  # that is a parallelogram
         fit += parallels_odds(relations, faces.noise)
     kind = fit if faces.taper == 1.0 else fit + faces.tapered
-    for found in read_parallel(faces.face, faces.d, relations, faces.noise, wobble, aslant=faces.upright):
+    bent = drawing.bent
+    arcs = [faces.face[arc.rows] for arc in bent.arcs] if bent else []
+    for found in read_parallel(faces.face, faces.d, relations, faces.noise, wobble, aslant=faces.upright, arcs=arcs):
         if found.pose is not None:
             yield _axonometric(faces, replace(found, odds=kind + found.odds))
             continue
@@ -243,14 +263,23 @@ def _of_parallel(faces: _Faces, ratio: float | None) -> Iterator[Reading]:
             yield Reading("one-point", "perspective", fit + faces.facing + given, 1.0, lambda: _facing(faces))
 
 
+def _relations(faces: _Faces) -> Relations:
+    """What could be regular about the face as drawn; of one with arcs, about its straight edges."""
+    bent = faces.drawing.bent
+    if bent is None:
+        return find_relations(faces.face, faces.drawing.sizes, faces.face, faces.noise)
+    return find_edge_relations(faces.face, bent.ends, 0, faces.noise)
+
+
 def _facing(faces: _Faces) -> Shape:
     return replace(facing_shape(faces.drawing, faces.face), order=faces.order, noise=faces.noise)
 
 
 def _oblique(faces: _Faces, odds: float, ratio: float | None) -> Iterator[Reading]:
     """The face in its true shape, once for each depth that such a drawing may mean."""
-    sizes, d = faces.drawing.sizes, faces.d
-    cavalier = cavalier_odds(faces.face, sizes, math.hypot(*d.tolist()), faces.noise)
+    sizes, d, bent = faces.drawing.sizes, faces.d, faces.drawing.bent
+    edges = bent.lengths(faces.face) if bent else np.hypot(*edge_vectors(faces.face, sizes).T)
+    cavalier = cavalier_odds(edges, math.hypot(*d.tolist()), faces.noise)
     depths = {"oblique": (ratio or CABINET, 0.0)}
     if ratio is None:
         depths = {
@@ -297,7 +326,7 @@ def _of_perspective(drawing: Drawing, order: Ints | None, parallel: float) -> It
     if seen.relations is None or not np.isfinite(seen.odds.max()):
         return
     odds = _PERSPECTIVE + seen.whole + parallels_odds(seen.relations, drawing.noise)
-    if drawing.sizes == [4]:
+    if drawing.is_box:
         odds += math.log(_BOX if len(seen.relations.edges) == 2 else 1.0 - _BOX)
 
     def make() -> Shape | None:
@@ -309,7 +338,6 @@ def _of_perspective(drawing: Drawing, order: Ints | None, parallel: float) -> It
 
 def _mean_face(drawing: Drawing, scale: float) -> tuple[Floats, Floats]:
     """(m, 2) the face as both drawn ones have it, and (2,) the vector between their middles, pixels."""
-    n = drawing.sizes[0]
     first, second, known = drawing.first, drawing.second, drawing.known
     if scale == 1.0:
         d = drawing.relation.d
@@ -318,5 +346,5 @@ def _mean_face(drawing: Drawing, scale: float) -> tuple[Floats, Floats]:
     back = (second - drawing.relation.shift) / scale
     weight = scale**2 / (1.0 + scale**2) * known[:, None]
     face = first + weight * (back - first)
-    middle = face[:n].mean(axis=0)
+    middle = drawing.middle(face)
     return face, scale * middle + drawing.relation.shift - middle

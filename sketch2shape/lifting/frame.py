@@ -7,7 +7,6 @@ from typing import Literal
 
 import numpy as np
 
-from sketch2shape.lifting.face import edge_vectors
 from sketch2shape.model import Floats
 
 #: edges this close to each other, or to a right angle, run along the same axes, radians
@@ -17,20 +16,20 @@ _ALIGNED = np.deg2rad(3.0)
 _SHARE = 0.3
 
 
-def own_axes(front: Floats, through: Floats, sizes: list[int]) -> Floats:
+def own_axes(edges: Floats, through: Floats) -> Floats:
     """(3, 3) unit rows: width and height in the face, and the normal from the front to the back face.
 
     Width and height follow the face's edges: the pair of perpendicular directions along which most length lies, width
     being the one seen more level. Right-handed like the viewer's axes (right, down, away).
 
-    front   : (m, 3) front face
+    edges   : (e, 3) straight edges of the front face
     through : (3,) from the front face to the back face
     """
     normal = _unit(through, np.array([0.0, 0.0, 1.0]))
     aside = np.array([0.0, 0.0, -np.sign(normal[0]) or 1.0])  # level too, for a face that looks to the side
     level = _unit(np.array([1.0, 0.0, 0.0]) - normal[0] * normal, aside)
     across = _cross(normal, level)
-    lean = _lean(edge_vectors(front, sizes) @ np.array([level, across]).T)
+    lean = _lean(edges @ np.array([level, across]).T) if len(edges) else 0.0
     width = math.cos(lean) * level + math.sin(lean) * across
     return np.array([width, _cross(normal, width), normal])
 

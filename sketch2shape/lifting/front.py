@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from sketch2shape.model import Floats, TwoFaceObject
+from sketch2shape.model import Floats, Side, TwoFaceObject
+
+_SIDES: tuple[Side, Side] = ("f1", "f2")
 
 
 def choose_front(obj: TwoFaceObject) -> TwoFaceObject:
@@ -15,16 +17,24 @@ def choose_front(obj: TwoFaceObject) -> TwoFaceObject:
     taken as seen from above, as most things are drawn: the cap drawn lower is in front, except that of an
     upright object, whose connecting edges are drawn vertical, the top is the visible cap.
     """
-    if obj.lines != "wire":
+    if obj.lines != "wire" or obj.is_pointed:
         return obj
-    size1, size2 = _size(obj.f1), _size(obj.f2)
+    f1, f2 = (_outline(obj, face) for face in _SIDES)
+    size1, size2 = _size(f1), _size(f2)
     slack = 0.02 + 4.0 * obj.noise / max(size1, size2, 1e-9)
     if abs(size2 - size1) > slack * max(size1, size2):
         return obj if size2 < size1 else obj.swapped()
-    d = (obj.f2 - obj.f1).mean(axis=0)
+    d = (f2 - f1).mean(axis=0) if len(f1) == len(f2) else f2.mean(axis=0) - f1.mean(axis=0)
     upright = _is_plumb(d, 0.02) or (_is_plumb(d, 0.15) and not _has_plumb_edge(obj.f1))
     behind = d[1] > 0 if upright else d[1] < 0 or (d[1] == 0 and d[0] > 0)
     return obj if behind else obj.swapped()
+
+
+def _outline(obj: TwoFaceObject, face: Side) -> Floats:
+    """(n, 2) vertices of the outer ring of a face, or points along it where it is a whole ellipse."""
+    ring = obj.f1 if face == "f1" else obj.f2
+    whole = [arc.points for arc in obj.arcs if (arc.face, arc.hole, arc.start) == (face, None, None)]
+    return whole[0] if whole else ring
 
 
 def _is_plumb(vector: Floats, slack: float) -> bool:

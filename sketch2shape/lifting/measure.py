@@ -15,11 +15,12 @@ _DIFFERENT = 0.02
 _NAMES = ("width", "height", "depth")
 
 
-def measured(own: Floats, free: int | None, options: LiftOptions) -> tuple[Floats, list[str]]:
+def measured(own: Floats, free: int | None, options: LiftOptions, axis: int | None = None) -> tuple[Floats, list[str]]:
     """(3,) factors for width, height and depth that give the sizes asked for, and what is to be said about them.
 
     own  : (3,) width, height and depth as read, pixels
     free : which of them the drawing leaves free, if one
+    axis : of a round solid the one along its axis: the two others keep their proportion, so that circles stay circles
 
     One size sets the scale. A free one is taken as given beside another, or in pixels; of sizes that contradict the
     drawing each one wins, and a warning says by how much the proportions changed.
@@ -40,8 +41,21 @@ def measured(own: Floats, free: int | None, options: LiftOptions) -> tuple[Float
     leading = fixed[0] if fixed else None
     scale = factors[leading] if leading is not None else (factors[given[0]] if options.solid_unit != "px" else 1.0)
     factors = np.where(np.isin(np.arange(3), given), factors, scale)
-    warnings = _contradictions(factors, fixed)
+    told = [] if axis is None else _kept_round(factors, given, axis)
+    warnings = told + _contradictions(factors, fixed)
     return factors, warnings if free in given else warnings + _assumed(own * factors, free, options)
+
+
+def _kept_round(factors: Floats, given: Sequence[int], axis: int) -> list[str]:
+    """Make the two factors across the axis of a round solid one: the first that is given; what is to be said of it."""
+    across = [k for k in range(3) if k != axis]
+    leading = next((k for k in across if k in given), across[0])
+    other = across[1 - across.index(leading)]
+    lost = float(factors[other] / factors[leading]) - 1.0
+    factors[other] = factors[leading]
+    if other not in given or abs(lost) <= _DIFFERENT:
+        return []
+    return [f"circles stay circles: the {_NAMES[other]} follows from the {_NAMES[leading]}"]
 
 
 def _contradictions(factors: Floats, fixed: Sequence[int]) -> list[str]:

@@ -10,7 +10,6 @@ import math
 
 import numpy as np
 
-from sketch2shape.lifting.face import edge_vectors
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.model import Floats
 
@@ -45,7 +44,7 @@ def axonometric_shape(face: Floats, sizes: list[int], d: Floats, slant: float) -
     across = np.array([*n, 0.0])
     pose = np.array([t[0] * along + n[0] * across, t[1] * along + n[1] * across, [*(t * np.sin(slant)), np.cos(slant)]])
     stretch = axonometric_maps(np.array([slant]), d)[0]
-    middle = face[: sizes[0]].mean(axis=0)
+    middle = face[: sizes[0] or len(face)].mean(axis=0)
     flat = (face - middle) @ stretch
     evidence = {"slant_deg": round(float(np.rad2deg(slant)), 2), "foreshortening": round(float(np.cos(slant)), 4)}
     depth = length / float(np.sin(slant))
@@ -75,13 +74,13 @@ def oblique_shape(face: Floats, sizes: list[int], d: Floats, ratio: float, *, fr
     return Shape("oblique", face, np.eye(3), np.zeros(3), depth, camera, np.eye(2), sizes, free=free, evidence=evidence)
 
 
-def cavalier_odds(face: Floats, sizes: list[int], length: float, noise: float) -> float:
+def cavalier_odds(edges: Floats, length: float, noise: float) -> float:
     """Log odds of a cavalier against a cabinet drawing: which one makes the depth as long as edges of the face?
 
+    edges  : (e,) lengths of the face's edges, pixels
     length : of the receding edges, pixels
     noise  : standard deviation of a drawn vertex, pixels
     """
-    edges = np.hypot(*edge_vectors(face, sizes).T)
     full, half = (_alike(edges, times * length, noise) for times in (1.0, 2.0))
     return _CAVALIER + full - half
 

@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from sketch2shape.lifting.bent import Bent, bent_faces
 from sketch2shape.lifting.face_relation import FaceRelation, relate_faces
 from sketch2shape.model import Bools, Floats, Ints, TwoFaceObject
 
@@ -35,6 +36,8 @@ class Drawing:
     known         : (m,) bool, where f2 was seen, not inferred
     hidden        : do dashed or missing lines tell which face is in front?
     to_picture    : (3, 3) homography from these pixels to those of the picture
+    bent          : how the points belong together where some edges are arcs; then points on these follow the vertices
+    pointed       : does the object come to a point? All of the second face is then there
     """
 
     first: Floats
@@ -46,6 +49,22 @@ class Drawing:
     known: Bools
     hidden: bool
     to_picture: Floats
+    bent: Bent | None = None
+    pointed: bool = False
+
+    @property
+    def is_box(self) -> bool:
+        """Has each face four straight sides, so that any two opposite sides could be the faces?"""
+        return self.sizes == [4] and self.bent is None and not self.pointed
+
+    @property
+    def outer(self) -> Floats:
+        """(n, 2) the first face's outer ring."""
+        return self.first[: self.sizes[0]] if self.bent is None else self.first[self.bent.outline]
+
+    def middle(self, face: Floats) -> Floats:
+        """(2,) what counts as the middle of a face (m, 2): an object tapers towards that of the other face."""
+        return np.asarray(face[: self.sizes[0]].mean(axis=0) if self.bent is None else self.bent.middle @ face)
 
     @cached_property
     def pairs(self) -> list[tuple[Drawing, Ints | None]]:
@@ -55,7 +74,7 @@ class Drawing:
         side crosses itself, as that of no solid does.
         """
         found: list[tuple[Drawing, Ints | None]] = [(self, None)]
-        if self.sizes != [4]:
+        if not self.is_box:
             return found
         points = np.concatenate([self.first, self.second])
         seen = np.concatenate([np.ones(4, bool), self.known])
@@ -71,10 +90,13 @@ class Drawing:
 
 def prepare(obj: TwoFaceObject) -> Drawing:
     """Split an object into what the lifting needs."""
-    points, to_picture = _rectified(obj.vertices.astype(np.float64), obj.page)
+    drawn, bent = _points(obj)
+    points, to_picture = _rectified(drawn, obj.page)
     m = len(points) // 2
     first, second = points[:m], points[m:]
-    known = np.ones(m, bool) if obj.f2_drawn is None else np.asarray(obj.f2_drawn, bool)
+    known = np.ones(m, bool)
+    if obj.f2_drawn is not None and not obj.is_pointed:
+        known[: len(obj.f2_drawn)] = obj.f2_drawn
     relation = relate_faces(first, second, known)
     diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
     return Drawing(
@@ -87,7 +109,19 @@ def prepare(obj: TwoFaceObject) -> Drawing:
         known,
         obj.lines != "wire",
         to_picture,
+        bent,
+        obj.is_pointed,
     )
+
+
+def _points(obj: TwoFaceObject) -> tuple[Floats, Bent | None]:
+    """(2m, 2) the points of both faces, those on arcs too, and how they belong together."""
+    if obj.is_round:
+        first, second, bent = bent_faces(obj)
+        return np.concatenate([first, second]), bent
+    if obj.is_pointed:
+        return np.concatenate([obj.f1, np.repeat(obj.f2, len(obj.f1), axis=0)]), None
+    return obj.vertices.astype(np.float64), None
 
 
 def _is_bow(quad: Floats) -> bool:

@@ -8,6 +8,7 @@ slant is sought together with a small turn of d.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -15,16 +16,17 @@ from typing import Literal
 import numpy as np
 
 from sketch2shape.lifting.named_views import FREE, SLANTS, VIEWS, off_axis, triad_odds, view_odds
+from sketch2shape.lifting.oblique_cues import level_odds, steep_cost, usual_odds
 from sketch2shape.lifting.regularity import (
     Bearings,
     Candidates,
     Relations,
     bearings,
     between,
-    log_odds,
     score,
     uneven_odds,
 )
+from sketch2shape.lifting.roundness import Arcs, arcs_of, roundness_odds
 from sketch2shape.model import Bools, Floats
 
 #: slants tried, radians: the face is never seen quite from the front nor quite from its edge
@@ -36,20 +38,6 @@ _STEP = float(_SLANTS[1] - _SLANTS[0])
 _SURE, _QUITE_SURE = np.deg2rad(0.4), np.deg2rad(0.1)
 _FEW_TURNS, _TURNS = np.linspace(-2.0, 2.0, 7), np.linspace(-2.0, 2.0, 13)
 _NO_TURN = np.zeros(1)
-
-#: receding edges of an oblique drawing are not drawn level or upright (within about this angle, radians), least of all
-#: along the face's own edges, where they would hide the sides; the cost in log odds where they are
-_STEEP, _STEEP_COST = np.deg2rad(2.0), 2.0
-
-#: directions with less than this part of the longest one's length do not tell how a face is held
-_LONG = 0.3
-
-#: how likely a face in true shape has an edge drawn level, and if its edges have two directions only; and the log odds
-#: against the page being held askew
-_LEVEL, _LEVEL_CROSSED, _ASKEW = 0.97, 0.996, 1.0
-
-#: angles at which receding edges of an oblique drawing rise, radians, and how likely it is that each of them is used
-_RECEDING = {math.pi / 6: 0.12, math.pi / 4: 0.28, math.pi / 3: 0.1}
 
 #: poses whose proportions differ by less than this (of the logarithm) are one solid to a person
 _SAME = 0.12
@@ -77,6 +65,7 @@ class StretchedFace:
     wobble       : standard deviation of the direction of d, radians
     noise        : standard deviation of a vertex of the face, pixels
     rests        : (k,) weight of each edge direction as one that the object stands on, sum 1
+    arcs         : its arcs, if it has some
     """
 
     relations: Relations
@@ -86,6 +75,7 @@ class StretchedFace:
     wobble: float
     noise: float
     rests: Floats
+    arcs: Arcs | None = None
 
 
 @dataclass(frozen=True)
@@ -167,7 +157,14 @@ _ALIKE = _alike()
 
 
 def read_parallel(
-    face: Floats, d: Floats, relations: Relations, noise: float, wobble: float, *, aslant: bool = True
+    face: Floats,
+    d: Floats,
+    relations: Relations,
+    noise: float,
+    wobble: float,
+    *,
+    aslant: bool = True,
+    arcs: Sequence[Floats] = (),
 ) -> list[ParallelReading]:
     """The ways to read the drawing with their log odds: oblique and axonometric, and each named view that it may be.
 
@@ -177,6 +174,7 @@ def read_parallel(
     noise     : standard deviation of a vertex of the face, pixels
     wobble    : standard deviation of the direction of d, radians
     aslant    : may the face be foreshortened?
+    arcs      : (k, 2) points along each arc of the face, pixels
     """
     long = math.hypot(*d.tolist())
     t = d / long
@@ -188,11 +186,12 @@ def read_parallel(
     angle, spread = _as_drawn(t, turned, len(relations.edges))
     rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
     rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
-    view = StretchedFace(relations, along, across, t, wobble, noise, rests / rests.sum())
-    regular = score(relations, found, turned, noise)
-    oblique = float(regular[0]) + _OBLIQUE_PRIOR + _level_odds(relations, angle, spread)
-    oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread)
-    oblique += _usual_odds(view) - _steep_cost(view, turned.angle[0, : len(spread)], spread)
+    rests /= rests.sum() if len(rests) else 1.0
+    view = StretchedFace(relations, along, across, t, wobble, noise, rests, arcs_of(arcs, t, noise) if arcs else None)
+    regular = score(relations, found, turned, noise) + _roundness(view, trials)
+    oblique = float(regular[0]) + _OBLIQUE_PRIOR + level_odds(relations, angle, spread)
+    oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread) if len(angle) else 0.0
+    oblique += usual_odds(t, wobble) - steep_cost(t, wobble, turned.angle[0, : len(spread)], spread)
     readings = [ParallelReading("oblique", oblique, None, 1.0, view)]
     if not aslant:
         return readings
@@ -202,6 +201,8 @@ def read_parallel(
 
 def _named(view: StretchedFace, regular: Floats, angle: Floats, spread: Floats) -> list[ParallelReading]:
     """The named views that the drawing may be, with how regular (3,) the face is at their slants."""
+    if not len(view.relations.lengths):
+        return []
     weight = view.relations.lengths**2 / (view.relations.lengths**2).sum()
     toward = math.atan2(view.toward[1], view.toward[0])
     readings = []
@@ -243,7 +244,8 @@ def refined_pose(view: StretchedFace, pose: Pose) -> Pose:
     trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
     found = _stretched(view.along, view.across, trials)
     turned = bearings(view.relations, found, view.noise)
-    odds = score(view.relations, found, turned, view.noise)[_NAMED:] + _pose_odds(view, trials, found, turned)
+    regular = score(view.relations, found, turned, view.noise) + _roundness(view, trials)
+    odds = regular[_NAMED:] + _pose_odds(view, trials, found, turned)
     odds = odds.reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
     return Pose(_peak(near, odds[turn], slant), _peak(trials.turns, odds[:, slant], turn))
@@ -256,6 +258,14 @@ def _peak(at: Floats, odds: Floats, best: int) -> float:
     left, top, right = odds[best - 1 : best + 2]
     bend = float(left - 2.0 * top + right)
     return float(at[best] + (0.5 * (left - right) / bend * (at[best + 1] - at[best]) if bend < 0.0 else 0.0))
+
+
+def _roundness(view: StretchedFace, trials: _Trials) -> Floats:
+    """(4 + h g,) log odds of the face's arcs being circles in each pose."""
+    still = np.zeros(len(trials.stretches))
+    if view.arcs is None:
+        return still
+    return still + roundness_odds(view.arcs, trials.stretches, trials.swung)
 
 
 def _trials(wobble: float, slants: Floats, turns: Floats) -> _Trials:
@@ -337,6 +347,8 @@ def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
 def _gravity_odds(view: StretchedFace, trials: _Trials, turned: Bearings) -> Floats:
     """Paper is held upright: what is drawn vertical is vertical, and the base it stands on is at right angles to it."""
     k = len(view.rests)
+    if k == 0:
+        return np.zeros(len(trials.stretches))
     c, s = trials.swung
     rise, aside = c * view.toward[1] + s * view.toward[0], c * view.toward[0] - s * view.toward[1]
     turn = between(turned.angle[:, :k], np.arctan2(aside, rise * trials.stretches))
@@ -348,44 +360,10 @@ def _gravity_odds(view: StretchedFace, trials: _Trials, turned: Bearings) -> Flo
 
 def _rests(ways: Floats, outer: Floats) -> Bools:
     """(k,) could the object stand on an edge of these (k, 2) directions: is one of them at the bottom of the ring?"""
+    if not len(outer) or not len(ways):
+        return np.zeros(len(ways), bool)
     down = np.where(ways[:, :1] > 0, 1.0, -1.0) * np.stack([-ways[:, 1], ways[:, 0]], axis=1)
     depth = outer @ down.T
     close = depth > depth.max(axis=0) - 0.02 * np.ptp(depth, axis=0)
     both = close & np.concatenate([close[-1:], close[:-1]])
     return np.asarray(both.any(axis=0))
-
-
-def _steep_cost(view: StretchedFace, off: Floats, spread: Floats) -> float:
-    """What it costs an oblique drawing that d hardly recedes; off: angle of each edge direction to d, radians."""
-    level = float(np.arcsin(np.abs(view.toward).min()))
-    steep = math.exp(-0.5 * max(level - _STEEP, 0.0) ** 2 / (math.radians(0.5) ** 2 + view.wobble**2))
-    if steep <= 0.01:
-        return 0.0
-    # an edge drawn along d is hidden behind its own side
-    near = np.sqrt((2.0 * spread) ** 2 + (2.0 * view.wobble) ** 2) + math.radians(1.5)
-    hidden = bool((between(off, np.zeros(1)) < near).any())
-    return _STEEP_COST * (1.0 + 3.0 * hidden) * steep
-
-
-def _usual_odds(view: StretchedFace) -> float:
-    """Log odds that d rises at one of the angles at which edges of an oblique drawing recede, and not at any."""
-    rise = math.atan2(abs(view.toward[1]), abs(view.toward[0]))
-    spread = math.hypot(view.wobble, math.radians(0.5))
-    odds = 1.0 - sum(_RECEDING.values())
-    for angle, belief in _RECEDING.items():
-        density = math.exp(-0.5 * ((rise - angle) / spread) ** 2) / (spread * math.sqrt(2.0 * math.pi))
-        odds += belief * 0.5 * math.pi * density
-    return math.log(odds)
-
-
-def _level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:
-    """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew."""
-    off: Floats = between(angle, np.zeros(1))
-    upright = bool((np.pi / 2 - off < 3.0 * spread + np.deg2rad(1.0)).any())
-    off[relations.lengths < _LONG * relations.lengths.max()] = np.pi / 2
-    belief = _LEVEL_CROSSED if len(relations.edges) == 2 else _LEVEL
-    if relations.rows.shape[1] == 3 and not upright:
-        belief = 0.6  # a triangle often stands on its tip
-    exact = log_odds(off, np.hypot(spread, np.deg2rad(0.5)), belief, np.pi / 2)
-    askew = log_odds(off, np.hypot(spread, np.deg2rad(4.0)), belief, np.pi / 2)
-    return float(max(exact.max(), askew.max() - _ASKEW))

@@ -149,6 +149,45 @@ def find_relations(shape: Floats, sizes: list[int], drawn: Floats, noise: float)
     )
 
 
+def find_edge_relations(points: Floats, ends: Ints, outer: int, noise: float) -> Relations:
+    """Relations worth scoring between the straight edges of a face that has arcs as well.
+
+    points : (m, 2) of the face as drawn, pixels
+    ends   : (e, 2) the two points of each edge
+    outer  : points of the outer ring, which come first
+    noise  : standard deviation of a drawn vertex, pixels
+    """
+    e, m = len(ends), len(points)
+    sides = np.zeros((e, m))
+    sides[np.arange(e), ends[:, 1]], sides[np.arange(e), ends[:, 0]] = 1.0, -1.0
+    way = sides @ points
+    long = np.hypot(way[:, 0], way[:, 1])
+    label, sign = parallel_classes(way, long, noise) if e else (np.zeros(0, np.intp), np.zeros(0))
+    edges = np.bincount(label)
+    k = len(edges)
+    first, second = all_pairs(k)
+    corner = np.zeros((k, k), bool)
+    one, other = np.nonzero(ends[:, 1][:, None] == ends[:, 0])
+    corner[label[one], label[other]] = corner[label[other], label[one]] = True
+    chosen = _one_each(label, long, noise) if e else []
+    left, right = all_pairs(len(chosen))
+    apart = label[chosen][left] != label[chosen][right]
+    rows = np.concatenate([(sign * (label == np.arange(k)[:, None])) @ sides, sides[chosen]])
+    vectors = rows @ points
+    return Relations(
+        outer,
+        rows,
+        np.hypot(vectors[:, 0], vectors[:, 1]),
+        np.sqrt(2.0 * edges),
+        np.sqrt(np.bincount(label, long**2)),
+        edges,
+        (first, second),
+        corner[first, second],
+        np.zeros(0),
+        (left[apart], right[apart]),
+    )
+
+
 def candidates(relations: Relations, shapes: Floats, maps: Floats) -> Candidates:
     """The vectors of relations in (g, m, 2) shapes; maps (g, 2, 2) are the linear part of drawing -> shape (rows)."""
     area = maps[:, 0, 0] * maps[:, 1, 1] - maps[:, 0, 1] * maps[:, 1, 0]

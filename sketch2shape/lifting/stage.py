@@ -9,15 +9,16 @@ import numpy as np
 from sketch2shape.errors import PointsError, UsageError
 from sketch2shape.lifting.beautify import beautified
 from sketch2shape.lifting.decision import Reading, all_readings
-from sketch2shape.lifting.face import ring_area
+from sketch2shape.lifting.face import edge_vectors, ring_area
 from sketch2shape.lifting.frame import frame, own_axes, standing
 from sketch2shape.lifting.measure import measured
 from sketch2shape.lifting.options import LiftOptions
 from sketch2shape.lifting.parallel import along_a_vector
 from sketch2shape.lifting.projection import Drawing, prepare
 from sketch2shape.lifting.shape import Shape
+from sketch2shape.lifting.tangency import exact_arcs
 from sketch2shape.lifting.trust import Option, options_of, sureness
-from sketch2shape.model import Alternative, Floats, Projection, Solid, TwoFaceObject, two_face_boundary
+from sketch2shape.model import Alternative, Floats, Projection, Solid, TwoFaceObject
 
 #: a connecting vector shorter than this part of the object's size says nothing about the depth
 _FLAT = 0.01
@@ -76,14 +77,17 @@ def _tidied(ways: list[Option], drawing: Drawing, options: LiftOptions) -> list[
     shapes: list[Shape] = []
     for way in ways:
         shape = _described(way, drawing, options)
-        if options.beautify and shape.family == "oblique":
+        if shape.bent is not None:
+            shape = exact_arcs(shape, regular=options.beautify)
+        elif options.beautify and shape.family == "oblique":
             # readings that differ in depth alone share their face
             key = id(way.shape.flat), shape.taper
             fine = faces.setdefault(key, faces[key] if key in faces else beautified(shape))
             shape = replace(shape, flat=fine.flat, evidence={**fine.evidence, **shape.evidence})
         elif options.beautify:
             shape = beautified(shape)
-        shapes.append(_mirrored(shape) if way.mirrored != options.necker else shape)
+        far_side = drawing.pointed and drawing.relation.d[1] < 0
+        shapes.append(_mirrored(shape) if (way.mirrored != options.necker) != far_side else shape)
     return shapes
 
 
@@ -93,7 +97,7 @@ def _described(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:
     warnings = list(shape.warnings)
     if options.projection == "perspective" and shape.family != "perspective":
         warnings.append("nothing converges: read as a parallel view")
-    if shape.taper != 1.0:
+    if shape.taper != 1.0 and not shape.pointed:
         times = f"{shape.taper:.2f} times the front face"
         warnings.append(f"the back face is {times}: taken as a tapered object with a straight axis")
     evidence = {
@@ -139,11 +143,18 @@ class _Sized:
 
 def _sized(shape: Shape, options: LiftOptions) -> _Sized:
     vertices = shape.vertices
-    through = _through(vertices)
-    looks = standing(own_axes(vertices[: len(shape.flat)], through, shape.sizes))
-    free = int(np.abs(looks @ through).argmax()) if shape.free else None
-    own = np.ptp(vertices @ looks.T, axis=0)
-    factors, warnings = measured(own, free, options)
+    if shape.bent is None and not shape.pointed:
+        through = _through(vertices)
+        edges, extremes = edge_vectors(vertices[: len(shape.flat)], shape.sizes), vertices
+    else:
+        through = shape.depth * shape.pose[2]
+        edges, extremes = shape.edges, shape.boundary.extremes(shape.pose)
+    looks = standing(own_axes(edges, through))
+    if shape.bent is not None:
+        extremes = shape.boundary.extremes(looks)
+    deep = int(np.abs(looks @ through).argmax())
+    own = np.ptp(extremes @ looks.T, axis=0)
+    factors, warnings = measured(own, deep if shape.free else None, options, deep if shape.arcs else None)
     return _Sized(shape, vertices, looks, own, factors, (*shape.warnings, *warnings))
 
 
@@ -153,16 +164,17 @@ def _solid(sized: _Sized, drawing: Drawing, options: LiftOptions, picture_size: 
     turn = frame(looks, options.up)
     place = np.eye(4)
     place[:3, :3] = turn @ (looks.T * sized.factors) @ looks
-    moved = sized.vertices @ place[:3, :3].T
+    boundary = shape.placed_boundary(sized.vertices @ place[:3, :3].T, place[:3, :3])
     if options.up != "camera":
-        origin = 0.5 * (moved.min(axis=0) + moved.max(axis=0))
+        reach = boundary.extremes(np.eye(3))
+        origin = 0.5 * (reach.min(axis=0) + reach.max(axis=0))
         height = 2 if options.up == "z" else 1
-        origin[height] = moved[:, height].min()
+        origin[height] = reach[:, height].min()
         place[:3, 3] = -origin
-        moved = moved - origin
+        boundary = shape.placed_boundary(boundary.vertices - origin, place[:3, :3], -origin)
     camera = drawing.to_picture @ shape.camera @ np.linalg.inv(place)
     return Solid(
-        two_face_boundary(moved, shape.sizes),
+        boundary,
         sized.projection(picture_size),
         options.solid_unit,
         sized.warnings,
@@ -174,7 +186,7 @@ def _solid(sized: _Sized, drawing: Drawing, options: LiftOptions, picture_size: 
 
 def _degenerate(drawing: Drawing) -> str | None:
     """Why no depth or no face can be read off, if so."""
-    outer = drawing.first[: drawing.sizes[0]]
+    outer = drawing.outer
     if np.hypot(*drawing.relation.d) < _FLAT * drawing.diagonal and drawing.relation.translation_rms < (
         _FLAT * drawing.diagonal
     ):
@@ -191,9 +203,10 @@ def _default(drawing: Drawing, problem: str) -> Shape:
     warning = f"{problem}: taken as facing the viewer, with half its mean extent as depth"
     still, origin = np.eye(3), np.zeros(3)
     camera = along_a_vector(drawing.relation.d / depth)
-    return Shape(
+    shape = Shape(
         "oblique", face, still, origin, depth, camera, np.eye(2), drawing.sizes, free=True, warnings=(warning,)
     )
+    return exact_arcs(replace(shape, bent=drawing.bent, pointed=drawing.pointed), regular=False)
 
 
 def _mirrored(shape: Shape) -> Shape:

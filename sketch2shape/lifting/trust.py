@@ -85,6 +85,9 @@ def options_of(readings: list[Reading], *, wire: bool) -> list[Option]:
 
 def _form(shape: Shape) -> Floats:
     """(3m,) logarithms of the lengths of the edges of front and back face and of those between, over their mean."""
+    if shape.bent is not None or shape.pointed:
+        logs = np.log(np.maximum(np.append(shape.lengths, abs(shape.depth)), 1e-9))
+        return np.asarray(logs - logs.mean())
     vertices = shape.vertices
     m = len(vertices) // 2
     front, back = vertices[:m], vertices[m:]
@@ -108,7 +111,7 @@ def cues(shape: Shape) -> Floats:
     How uncertain the shakiest edge is, and the depth unless that is free anyway: logarithms of the relative standard
     deviations.
     """
-    drawn = np.hypot(*(edge_vectors(shape.flat, shape.sizes) @ shape.to_drawing).T)
+    drawn = shape.drawn_lengths
     depth = abs(shape.depth) * float(np.hypot(*shape.pose[2][:2]))
     sizes = np.array([float(drawn.min()), math.inf if shape.family == "oblique" else depth]) / max(shape.noise, 1e-9)
     return np.append(1.0, -np.log(np.clip(sizes, 1.0, _SURE) / _SURE))

@@ -10,11 +10,14 @@ import numpy as np
 
 from sketch2shape import __version__
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.model import Answer, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Arc, Solid, TwoFaceObject
+from sketch2shape.solids import is_pointed, shape_name
 
 SCHEMA = "sketch2shape/1"
 #: decimals of a pixel, and of a unit of length
 _PIXEL_DECIMALS, _LENGTH_DECIMALS = 3, 6
+#: points told of each arc of a solid, both ends included
+_SAMPLES = 65
 
 
 def report(
@@ -61,10 +64,13 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
         "f2": _points(obj.f2, _PIXEL_DECIMALS),
         "holes": [{"f1": _points(h.f1, _PIXEL_DECIMALS), "f2": _points(h.f2, _PIXEL_DECIMALS)} for h in obj.holes],
         "edges": obj.edges.tolist(),
+        **_curves(obj),
+        "shape": shape_name(solid),
         "projection": {"family": solid.projection.family, **plain(solid.projection.evidence)},
         "confidence": round(float(obj.confidence), 4),
         "solid": {
             "vertices": _points(solid.vertices, _LENGTH_DECIMALS),
+            **({"arcs": _solid_arcs(solid)} if solid.boundary.is_round else {}),
             "unit": solid.unit,
             "dimensions": [round(d, _LENGTH_DECIMALS) for d in solid.dimensions],
             "confidence": round(float(solid.confidence), 4),
@@ -88,6 +94,56 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
     if obj.f2_drawn is not None:
         described["f2_drawn"] = [bool(seen) for seen in obj.f2_drawn]
     return described
+
+
+def _curves(obj: TwoFaceObject) -> dict[str, Any]:
+    """The curved edges as drawn, and the outlines of curved sides."""
+    if not obj.is_round:
+        return {}
+    arcs = [
+        {
+            "face": arc.face,
+            "hole": arc.hole,
+            "from": arc.start,
+            "to": arc.end,
+            "ellipse": {
+                "center": [round(float(c), _PIXEL_DECIMALS) for c in arc.ellipse.center],
+                "axes": [round(float(a), _PIXEL_DECIMALS) for a in arc.ellipse.axes],
+                "angle": round(float(arc.ellipse.angle), _PIXEL_DECIMALS),
+            },
+            "points": _points(arc.points, _PIXEL_DECIMALS),
+        }
+        for arc in obj.arcs
+    ]
+    return {"arcs": arcs, "silhouettes": [_points(ends, _PIXEL_DECIMALS) for ends in obj.silhouettes]}
+
+
+def _solid_arcs(solid: Solid) -> list[dict[str, Any]]:
+    """The arcs of the front face, then of the back face, ring by ring."""
+    flat = solid.faces[:1] if is_pointed(solid) else solid.faces[:2]
+    found: list[dict[str, Any]] = []
+    for name, face in zip(("f1", "f2"), flat, strict=False):
+        for ring, loop in enumerate(face.loops):
+            numbers = sorted(number for number, _ in loop)
+            first = min((solid.edges[e].start or 0 for e in numbers), default=0)
+            for edge in (solid.edges[e] for e in numbers):
+                arc = solid.boundary.arc(edge)
+                if arc is not None:
+                    ends = [None if end is None else end - first for end in (edge.start, edge.end)]
+                    found.append({"face": name, "hole": ring - 1 if ring else None, **_solid_arc(arc, ends)})
+    return found
+
+
+def _solid_arc(arc: Arc, ends: list[int | None]) -> dict[str, Any]:
+    whole = ends[0] is None
+    return {
+        "from": ends[0],
+        "to": ends[1],
+        "center": [round(float(c), _LENGTH_DECIMALS) + 0.0 for c in arc.circle.center],
+        "normal": [round(float(c), 9) + 0.0 for c in arc.circle.normal],
+        "radius": round(arc.circle.radius, _LENGTH_DECIMALS),
+        "points": _points(arc.at(np.linspace(0.0, 1.0, _SAMPLES)[: -1 if whole else None]), _LENGTH_DECIMALS),
+    }
 
 
 def _points(points: Any, decimals: int) -> list[list[float]]:

@@ -6,6 +6,7 @@ from sketch2shape.solids.contours import contour_candidates, smooth_edges
 from sketch2shape.solids.drawn import DrawnLine, drawn_lines
 from sketch2shape.solids.front import FlatRing, front_outline
 from sketch2shape.solids.hidden import Run, edge_runs
+from sketch2shape.solids.names import is_pointed, shape_name
 from sketch2shape.solids.tessellation import Tessellation, tessellated
 
 __all__ = [
@@ -17,6 +18,8 @@ __all__ = [
     "drawn_lines",
     "edge_runs",
     "front_outline",
+    "is_pointed",
+    "shape_name",
     "smooth_edges",
     "tessellated",
 ]

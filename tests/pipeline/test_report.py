@@ -10,11 +10,13 @@ import pytest
 from sketch2shape import __version__
 from sketch2shape.errors import NoObjectError
 from sketch2shape.lifting import lift
-from sketch2shape.model import Projection, Solid, two_face_boundary
+from sketch2shape.model import Answer, Projection, Solid, two_face_boundary
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
 from sketch2shape.pipeline.report import encode_report, plain, report
 from sketch2shape.pipeline.result import Result
+from tests.lifting.round_views import CIRCLE, SLOT, STANDING, Drawer, axonometric
+from tests.lifting.round_views import HOLE as ROUND_HOLE
 
 SQUARE = np.array([[0.0, 0], [9, 0], [9, 9], [0, 9]])
 HOLE = SQUARE / 3 + 3
@@ -96,3 +98,33 @@ def test_encoded_is_strict_ascii_json(answer):
 def test_plain_leaves_only_json_types():
     mixed = {1: np.int32(3), "a": (np.bool_(True), np.array([1.5, np.inf])), "b": {2.0}, "c": object, "d": None}
     assert plain(mixed) == {"1": 3, "a": [True, [1.5, None]], "b": [2.0], "c": str(object), "d": None}
+
+
+def test_arcs_are_told_of_the_drawing_and_of_the_solid():
+    plate = Drawer(axonometric()).draw([SLOT, ROUND_HOLE], 0.7)
+    told = report(Answer((plate,), (lift(plate),), Picture(np.zeros((9, 9, 3), np.uint8))))["objects"][0]
+    assert told["shape"] == "slot prism with a round hole"
+    places = [(arc["face"], arc["hole"], arc["from"], arc["to"]) for arc in told["arcs"]]
+    ends = [("f1", None, 1, 2), ("f1", None, 3, 0), ("f2", None, 1, 2), ("f2", None, 3, 0)]
+    assert places == [*ends, ("f1", 0, None, None), ("f2", 0, None, None)]
+    solid = told["solid"]
+    assert sorted(map(str, places)) == sorted(str((a["face"], a["hole"], a["from"], a["to"])) for a in solid["arcs"])
+    vertices = np.array(solid["vertices"])
+    assert len(vertices) == 8
+    for arc in solid["arcs"]:
+        away = np.array(arc["points"]) - arc["center"]
+        assert np.linalg.norm(away, axis=1) == pytest.approx(arc["radius"], rel=1e-4)
+        assert away @ arc["normal"] == pytest.approx(0.0, abs=1e-4)
+        if arc["from"] is not None:
+            start = arc["from"] + (4 if arc["face"] == "f2" else 0)
+            assert arc["points"][0] == pytest.approx(vertices[start], abs=1e-4)
+    assert all(arc["ellipse"]["axes"][0] >= arc["ellipse"]["axes"][1] for arc in told["arcs"])
+    json.dumps(told, allow_nan=False)
+
+
+def test_a_cone_has_one_vertex():
+    cone = Drawer(axonometric(), STANDING).draw([CIRCLE], -1.5, 0.0)
+    told = report(Answer((cone,), (lift(cone),), Picture(np.zeros((9, 9, 3), np.uint8))))["objects"][0]
+    assert (told["f1"], len(told["f2"]), told["edges"]) == ([], 1, [])
+    assert len(told["solid"]["vertices"]) == len(told["solid"]["arcs"]) == 1
+    assert told["shape"] == "cone"
