@@ -20,7 +20,7 @@ FORMATS: dict[str, str] = {
 MESH_FORMATS = formats.named("solid")
 
 #: formats that have no word for the unit: programs take their numbers as millimetres
-_UNITLESS = ("obj", "stl", "stl-ascii", "ply", "off")
+_UNITLESS = ("obj", "stl", "stl-ascii", "ply", "off", *formats.named("program"))
 
 #: formats that need the objects in the picture besides the solids
 _DRAWINGS = ("svg", "dxf")
@@ -135,6 +135,24 @@ def _step(solids: Sequence[Solid]) -> bytes:
     return step_text(solids).encode()
 
 
+def _scad(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.scad import scad_text
+
+    return scad_text(solids).encode()
+
+
+def _build123d(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.build123d import build123d_text
+
+    return build123d_text(solids).encode()
+
+
+def _cadquery(solids: Sequence[Solid]) -> bytes:
+    from sketch2shape.export.cadquery import cadquery_text
+
+    return cadquery_text(solids).encode()
+
+
 def _face_svg(solids: Sequence[Solid]) -> bytes:
     from sketch2shape.export.drawing import face_svg
 
@@ -160,6 +178,9 @@ _MESHES: dict[str, Callable[[Sequence[Solid], float | None], bytes]] = {
 #: formats that hold curves as they are
 _EXACT: dict[str, Callable[[Sequence[Solid]], bytes]] = {
     "step": _step,
+    "scad": _scad,
+    "build123d": _build123d,
+    "cadquery": _cadquery,
     "face.svg": _face_svg,
     "face.dxf": _face_dxf,
 }

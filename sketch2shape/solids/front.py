@@ -18,6 +18,32 @@ _LEVEL = 0.1
 _CHORDS = 96
 
 
+@dataclass(frozen=True, eq=False)
+class FlatArc:
+    """A circular arc in a plane.
+
+    center : (2,)
+    radius : of its circle
+    begin  : angle at which it begins, radians from the first axis to the second
+    sweep  : angle it turns through, negative from the second axis to the first
+    """
+
+    center: Floats
+    radius: float
+    begin: float
+    sweep: float
+
+    def at(self, t: Floats) -> Floats:
+        """(k, 2) points at parts (k,) of it, 0..1."""
+        angle = self.begin + self.sweep * np.asarray(t, float)
+        return np.asarray(self.center + self.radius * np.c_[np.cos(angle), np.sin(angle)])
+
+    def farthest(self) -> Floats:
+        """(k, 2) its points that reach farthest along one of the axes."""
+        t = np.asarray((np.pi / 2 * np.arange(-4, 9) - self.begin) / self.sweep, np.float64)
+        return self.at(t[(t >= 0.0) & (t <= 1.0)])
+
+
 @dataclass(frozen=True)
 class FlatRing:
     """A ring of lines and circular arcs in a plane.
@@ -39,9 +65,15 @@ class FlatRing:
 
     def radius(self, start: int) -> float:
         """Of the arc that begins at a vertex."""
-        chord = float(np.linalg.norm(self.points[(start + 1) % len(self.points)] - self.points[start]))
-        bulge = float(self.bulges[start])
-        return abs(chord * (1.0 + bulge**2) / (4.0 * bulge))
+        return self.arc(start).radius
+
+    def arc(self, start: int) -> FlatArc:
+        """The arc that begins at a vertex."""
+        p, q = self.points[start], self.points[(start + 1) % len(self.points)]
+        half, chord = 2.0 * float(np.arctan(self.bulges[start])), q - p
+        center = 0.5 * (p + q) + np.array([-chord[1], chord[0]]) / (2.0 * np.tan(half))
+        x, y = p - center
+        return FlatArc(center, float(np.hypot(x, y)), float(np.arctan2(y, x)), 2.0 * half)
 
     def outline(self) -> Floats:
         """(k, 2) the ring as points, arcs by short chords."""
@@ -49,22 +81,13 @@ class FlatRing:
             turn = np.arange(_CHORDS) * (2.0 * np.pi / _CHORDS)
             return np.asarray(self.circle[0] + self.circle[1] * np.c_[np.cos(turn), np.sin(turn)])
         pieces: list[Floats] = []
-        for p, q, bulge in zip(self.points, np.roll(self.points, -1, axis=0), self.bulges, strict=True):
-            pieces.append(p[None])
+        for start, bulge in enumerate(self.bulges.tolist()):
+            pieces.append(self.points[start][None])
             if bulge:
-                pieces.append(_between(p, q, float(bulge)))
+                arc = self.arc(start)
+                n = max(int(np.ceil(_CHORDS * abs(arc.sweep) / (2.0 * np.pi))), 2)
+                pieces.append(arc.at(np.arange(1, n) / n))
         return np.concatenate(pieces)
-
-
-def _between(p: Floats, q: Floats, bulge: float) -> Floats:
-    """Points of an arc between its ends."""
-    half = 2.0 * np.arctan(bulge)
-    n = max(int(np.ceil(_CHORDS * abs(half) / np.pi)), 2)
-    chord = q - p
-    centre = 0.5 * (p + q) + np.array([-chord[1], chord[0]]) / (2.0 * np.tan(half))
-    turn = 2.0 * half * np.arange(1, n)[:, None] / n
-    (x, y) = p - centre
-    return np.asarray(centre + np.cos(turn) * [x, y] + np.sin(turn) * [-y, x])
 
 
 def front_outline(solid: Solid) -> list[FlatRing]:
@@ -84,14 +107,14 @@ def front_outline(solid: Solid) -> list[FlatRing]:
     down = max((v - (v @ inward) * inward for v in (-high, -away)), key=lambda v: float(np.linalg.norm(v) > _LEVEL))
     down = down / (np.linalg.norm(down) or 1.0)
     plane = np.array([np.cross(down, inward), down])
-    rings = [_laid(solid, loop, plane) for loop in face.loops]
+    rings = [laid_ring(solid, loop, plane) for loop in face.loops]
     outer = rings[0]
     middle = outer.points.mean(axis=0) if outer.circle is None else outer.circle[0]
     return [ring.moved(-middle) for ring in rings]
 
 
-def _laid(solid: Solid, loop: Loop, plane: Floats) -> FlatRing:
-    """A loop as a ring in the plane (2, 3)."""
+def laid_ring(solid: Solid, loop: Loop, plane: Floats) -> FlatRing:
+    """A loop as a ring in the plane with these two unit axes, rows (2, 3)."""
     edges = [(solid.edges[number], forward) for number, forward in loop]
     first = edges[0][0]
     whole = solid.boundary.arc(first)

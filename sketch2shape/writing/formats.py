@@ -28,7 +28,8 @@ class Format(NamedTuple):
     endings: tuple[str, ...]
 
 
-_SVG, _DXF, _PDF, _PNG = "image/svg+xml", "image/vnd.dxf", "application/pdf", "image/png"
+_SVG, _DXF, _PNG = "image/svg+xml", "image/vnd.dxf", "image/png"
+_PYTHON = "text/x-python"
 
 #: name of the format -> the kind of file; of kinds with the same ending the first is meant by it
 FORMATS: dict[str, Format] = {
@@ -40,6 +41,9 @@ FORMATS: dict[str, Format] = {
     "3mf": Format("3MF for 3-D printing, with its unit", "solid", "model/3mf", ("3mf",)),
     "off": Format("OFF as text", "solid", "text/plain", ("off",)),
     "step": Format("STEP AP214 with planes, cylinders and cones, for CAD", "solid", "model/step", ("step", "stp")),
+    "scad": Format("OpenSCAD program with named dimensions", "program", "application/x-openscad", ("scad",)),
+    "build123d": Format("Python program for build123d with named dimensions", "program", _PYTHON, ("py",)),
+    "cadquery": Format("Python program for CadQuery with named dimensions", "program", _PYTHON, ("py",)),
     "svg": Format("the cleaned drawing, visible and hidden lines in groups", "drawing", _SVG, ("svg",)),
     "dxf": Format("the cleaned drawing, visible and hidden lines on layers", "drawing", _DXF, ("dxf",)),
     "face.svg": Format("the true front face laid flat", "drawing", _SVG, ("face.svg",)),
