@@ -23,6 +23,9 @@ from sketch2shape.model import Alternative, Floats, Projection, Solid, TwoFaceOb
 #: a connecting vector shorter than this part of the object's size says nothing about the depth
 _FLAT = 0.01
 
+#: an axis drawn with no more than this slope from the vertical stands upright
+_PLUMB = 0.3
+
 #: a face with less area than this part of its diagonal squared is seen from its edge
 _EDGE_ON = 0.004
 
@@ -86,9 +89,21 @@ def _tidied(ways: list[Option], drawing: Drawing, options: LiftOptions) -> list[
             shape = replace(shape, flat=fine.flat, evidence={**fine.evidence, **shape.evidence})
         elif options.beautify:
             shape = beautified(shape)
-        far_side = drawing.pointed and drawing.relation.d[1] < 0
-        shapes.append(_mirrored(shape) if (way.mirrored != options.necker) != far_side else shape)
+        mirrored = (way.mirrored != options.necker) != _from_behind(drawing, shape)
+        shapes.append(_mirrored(shape) if mirrored else shape)
     return shapes
+
+
+def _from_behind(drawing: Drawing, shape: Shape) -> bool:
+    """Is the front face of a round or pointed object that tapers the far one? Things are seen from above.
+
+    It is drawn below the smaller end where the object stands, and above it where it lies.
+    """
+    if shape.taper >= 1.0 or not (drawing.pointed or drawing.bent):
+        return False
+    right, down = (drawing.second.mean(axis=0) - drawing.middle(drawing.first)).tolist()
+    plumb = abs(right) <= _PLUMB * abs(down)
+    return down < 0 if plumb else down > 0 and drawing.pointed
 
 
 def _described(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:

@@ -91,8 +91,8 @@ def stand(solid: Solid, drawing: TwoFaceObject | None = None) -> Stand:
 def _drawn_as(solid: Solid, drawing: TwoFaceObject | None) -> Floats:
     """(2, 3) linear map from the solid's directions to those of the drawing."""
     default = np.array([[1.0, 0.0, 0.35], [0.0, 1.0, -0.35]])
-    if drawing is None or len(drawing.vertices) != len(solid.vertices):
-        return default if solid.camera is None else _seen_by(solid.camera, solid.vertices.mean(axis=0))
+    if drawing is None or len(drawing.vertices) != len(solid.vertices) or solid.boundary.is_round:
+        return default if solid.camera is None else _seen_by(solid.camera, solid.boundary.extremes(np.eye(3)).mean(0))
     space = solid.vertices - solid.vertices.mean(axis=0)
     plane = drawing.vertices - drawing.vertices.mean(axis=0)
     drawn = np.linalg.lstsq(space, plane, rcond=None)[0].T

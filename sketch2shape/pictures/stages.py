@@ -10,12 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sketch2shape.model import Answer, Floats, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Floats, Side, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit
-from sketch2shape.pictures.overlay import draw_object
+from sketch2shape.pictures.overlay import draw_object, ring_outlines
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, MUTED, PAPER, RULE, Colour, mix
 from sketch2shape.pictures.preview import preview_of
 
+_SIDES: tuple[tuple[Side, Colour], ...] = (("f1", FRONT), ("f2", BACK))
 _WIDTH, _HEIGHT, _GAP, _CAPTION, _COLUMNS = 440, 340, 20, 40, 4
 
 
@@ -110,8 +111,11 @@ class _Frame:
 
 
 def _regions(canvas: Canvas, obj: TwoFaceObject) -> None:
+    _arcs(canvas, obj)
     for rings, colour in (([r.f1 for r in obj.rings], FRONT), ([r.f2 for r in obj.rings], BACK)):
         points = np.concatenate(rings)
+        if not len(points):
+            continue
         middle = points[:, 1].mean()
         left, right = points[:, 0].min(), points[:, 0].max()
         ends = np.array([[left, middle], [right, middle]]) + np.array([[-0.06], [0.06]]) * [right - left, 0]
@@ -120,11 +124,22 @@ def _regions(canvas: Canvas, obj: TwoFaceObject) -> None:
             _vertex(canvas, p, colour, full=bool(p[1] <= middle))
 
 
+def _arcs(canvas: Canvas, obj: TwoFaceObject) -> None:
+    """The arcs, pale: they have no vertices inside."""
+    for side, colour in _SIDES:
+        for arc in obj.arcs:
+            if arc.face == side:
+                points = arc.points if arc.start is not None else np.concatenate([arc.points, arc.points[:1]])
+                canvas.path(points, mix(colour, PAPER, 0.6), 1.6)
+
+
 def _numbered(canvas: Canvas, obj: TwoFaceObject, *, front: bool) -> None:
     for p in obj.vertices:
         canvas.dot(p, 2, RULE, rim=None)
-    colour = FRONT if front else BACK
-    rings = [r.f1 if front else r.f2 for r in obj.rings]
+    side, colour = _SIDES[0] if front else _SIDES[1]
+    for outline in ring_outlines(obj, side) if obj.is_round else []:
+        canvas.path(np.concatenate([outline, outline[:1]]), mix(colour, PAPER, 0.6), 1.6)
+    rings = [ring for r in obj.rings if len(ring := r.f1 if front else r.f2)]
     label = 0
     for ring in rings:
         outward = ring - ring.mean(axis=0)
@@ -137,19 +152,24 @@ def _numbered(canvas: Canvas, obj: TwoFaceObject, *, front: bool) -> None:
 
 
 def _pairs(canvas: Canvas, obj: TwoFaceObject) -> None:
+    _arcs(canvas, obj)
     for ring in obj.rings:
-        for a, b in zip(ring.f1, ring.f2, strict=True):
+        for k, a in enumerate(ring.f1):
+            b = ring.f2[0 if obj.is_pointed else k]
             canvas.line(a, b, mix(MUTED, PAPER, 0.35), 1.1, dash=(2, 4))
             _vertex(canvas, a, FRONT, full=True)
             _vertex(canvas, b, BACK, full=True)
 
 
 def _faces(canvas: Canvas, obj: TwoFaceObject) -> None:
-    for rings, colour in (([r.f2 for r in obj.rings], BACK), ([r.f1 for r in obj.rings], FRONT)):
-        canvas.fill(rings, colour, 0.10)
-        for ring in rings:
-            for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+    for side, colour in reversed(_SIDES):
+        outlines = ring_outlines(obj, side)
+        if outlines:
+            canvas.fill(outlines, colour, 0.10)
+        for outline in outlines:
+            for a, b in zip(outline, np.roll(outline, -1, axis=0), strict=True):
                 canvas.line(a, b, colour, 2.2)
+        for ring in (r.f1 if side == "f1" else r.f2 for r in obj.rings):
             for p in ring:
                 _vertex(canvas, p, colour, full=True)
 

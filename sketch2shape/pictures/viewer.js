@@ -109,7 +109,12 @@ class SolidView {
     for (const seen of [false, true]) {
       if (!seen && !this.hidden) continue;
       pen.beginPath();
-      for (const run of runs) if (run.seen === seen) { pen.moveTo(...run.from); pen.lineTo(...run.to); }
+      let end = [NaN, NaN]; /* chords of one curve are one line, so that its dashes run on */
+      for (const run of runs) if (run.seen === seen) {
+        if (Math.hypot(run.from[0] - end[0], run.from[1] - end[1]) > 0.01 || isNaN(end[0])) pen.moveTo(...run.from);
+        pen.lineTo(...run.to);
+        end = run.to;
+      }
       pen.strokeStyle = seen ? "#1c2028" : "rgba(40, 70, 110, .65)";
       pen.lineWidth = (seen ? 2 : 1) * ratio;
       pen.setLineDash(seen ? [] : [4 * ratio, 4 * ratio]);

@@ -16,6 +16,7 @@ from sketch2shape.model import Answer
 from sketch2shape.pictures.canvas import encode_png, fit, shown
 from sketch2shape.pictures.facets import PITCH, YAW, stand, surface
 from sketch2shape.pictures.overlay import overlay
+from sketch2shape.solids import shape_name
 
 
 def viewer(result: Answer, title: str | None = None) -> str:
@@ -33,8 +34,9 @@ def facts(result: Answer) -> list[tuple[str, str]]:
     """What to say about a result in words: (name, value) pairs, one group for each object."""
     rows: list[tuple[str, str]] = []
     for obj, solid in zip(result.objects, result.solids, strict=True):
-        size = np.ptp(solid.vertices, axis=0)
+        size = np.ptp(solid.boundary.extremes(np.eye(3)), axis=0)
         rows += [
+            ("Shape", shape_name(solid)),
             ("Vertices", str(len(solid.vertices))),
             ("Edges", str(len(solid.edges))),
             ("Faces", str(len(solid.faces))),
