@@ -49,14 +49,15 @@ def _heif(data: bytes, limits: Limits) -> Image:
 
 def count_pdf_pages(data: bytes) -> int:
     """Number of pages of a PDF. Raises MissingPackageError, UnreadableError."""
-    document = _open_pdf(data)
+    document = opened_pdf(data)
     try:
         return len(document)
     finally:
         document.close()
 
 
-def _open_pdf(data: bytes) -> Any:
+def opened_pdf(data: bytes) -> Any:
+    """A document of pypdfium2. Raises MissingPackageError, UnreadableError."""
     pdfium = _package("pypdfium2", "PDF")
     try:
         return pdfium.PdfDocument(data)
@@ -66,7 +67,7 @@ def _open_pdf(data: bytes) -> Any:
 
 
 def _pdf(data: bytes, limits: Limits, page: int) -> Image:
-    document = _open_pdf(data)
+    document = opened_pdf(data)
     try:
         if page >= len(document):
             raise UnreadableError(f"the PDF has {len(document)} pages", remedy="a lower --pages")
@@ -95,8 +96,8 @@ def _svg(data: bytes, limits: Limits) -> Image:
     from PIL import Image, PngImagePlugin  # noqa: F401  (the plugin registers itself)
 
     resvg = _package("resvg_py", "SVG")
-    text = _xml_text(_inflate(data, limits))
-    width, height = _svg_size(text)
+    text = xml_text(inflated(data, limits))
+    width, height = svg_size(text)
     side = min(_SVG_SIDE, limits.max_side, math.isqrt(limits.max_pixels))
     shrink = side / max(width, height)
     if min(width, height) * shrink < 1:
@@ -117,7 +118,7 @@ def _svg(data: bytes, limits: Limits) -> Image:
     return Image.open(io.BytesIO(png), formats=["PNG"])
 
 
-def _inflate(data: bytes, limits: Limits) -> bytes:
+def inflated(data: bytes, limits: Limits) -> bytes:
     """Undo the gzip of .svgz, no further than the limit on bytes."""
     if data[:2] != b"\x1f\x8b":
         return data
@@ -137,7 +138,7 @@ class _RootSeen(Exception):  # noqa: N818  (ends the parse, is no error)
     """The root element has been read."""
 
 
-def _svg_size(text: str) -> tuple[float, float]:
+def svg_size(text: str) -> tuple[float, float]:
     """Width and height of the page in user units, from the root element alone."""
     from xml.parsers import expat
 
@@ -190,7 +191,7 @@ _LENGTH = re.compile(r"\s*\+?(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*(px|pt|pc|mm|cm|in|e
 _PIXELS_PER = {"px": 1.0, "pt": 4 / 3, "pc": 16.0, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96.0, "em": 16.0, "ex": 8.0}
 
 
-def _xml_text(data: bytes) -> str:
+def xml_text(data: bytes) -> str:
     """The text of XML by its byte order mark, else by the encoding it declares, else UTF-8. Raises UnreadableError."""
     declared = _ENCODING.match(data.replace(b"\0", b"")[:200])
     name = declared[1].decode("ascii") if declared else "utf-8"

@@ -9,16 +9,15 @@ the braces around a bare list of strokes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from sketch2shape.errors import PointsError, UnreadableError
-from sketch2shape.model import Floats, Picture, VectorLine
-from sketch2shape.reading.sheet import picture_of
-
-_REMEDY = '{"strokes": [[[x, y], ...], ...]}'
+from sketch2shape.errors import LimitError, PointsError
+from sketch2shape.model import Picture, VectorLine
+from sketch2shape.reading.json_values import listed, number, points_of
+from sketch2shape.reading.sheet import MOST_LINES, picture_of
 
 
 def from_strokes(strokes: Any, source: str = "<strokes>") -> Picture:
@@ -41,9 +40,9 @@ def from_strokes(strokes: Any, source: str = "<strokes>") -> Picture:
 def from_json(data: Any, source: str) -> Picture:
     """A picture of what a JSON file of strokes holds. Raises UnreadableError, LimitError."""
     held = data if isinstance(data, Mapping) else {"strokes": data}
-    strokes = held.get("strokes")
-    if not isinstance(strokes, Sequence) or isinstance(strokes, str):
-        raise UnreadableError("its strokes are no list", remedy=_REMEDY)
+    strokes = listed(held.get("strokes"), "strokes")
+    if len(strokes) > MOST_LINES:
+        raise LimitError(f"{len(strokes)} strokes are too many", remedy=f"at most {MOST_LINES}")
     return picture_of([_line(stroke) for stroke in strokes], page=_page(held), source=source)
 
 
@@ -57,25 +56,3 @@ def _page(held: Mapping[str, Any]) -> tuple[float, float] | None:
 def _line(stroke: Any) -> VectorLine:
     given = stroke if isinstance(stroke, Mapping) else {"points": stroke}
     return VectorLine(points_of(given.get("points")), dashed=given.get("dashed") is True)
-
-
-def points_of(given: Any) -> Floats:
-    """(n, 2) float of a list of points from JSON, each [x, y, ...] or {"x": ..., "y": ...}. Raises UnreadableError."""
-    if not isinstance(given, Sequence) or isinstance(given, str):
-        raise UnreadableError("its points are no list", remedy=_REMEDY)
-    return np.array([_point(point) for point in given], np.float64).reshape(-1, 2)
-
-
-def _point(given: Any) -> tuple[float, float]:
-    if isinstance(given, Mapping):
-        return number(given.get("x"), "x"), number(given.get("y"), "y")
-    if isinstance(given, Sequence) and not isinstance(given, str) and len(given) >= 2:
-        return number(given[0], "x"), number(given[1], "y")
-    raise UnreadableError("one of its points is none", remedy=_REMEDY)
-
-
-def number(given: Any, name: str) -> float:
-    """A number from JSON. Raises UnreadableError."""
-    if isinstance(given, bool) or not isinstance(given, int | float):
-        raise UnreadableError(f"its {name} is {type(given).__name__}, not a number", remedy="save it again")
-    return float(given)

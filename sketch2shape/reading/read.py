@@ -50,7 +50,7 @@ _OPTIONAL = {"JPEG2000": "jpg_2000", "AVIF": "avif"}
 #: formats that need the extra `formats`
 EXTRA = ("HEIF", "PDF", "SVG")
 #: formats that hold lines
-VECTORS = ("JSON",)
+VECTORS = ("JSON", "INKML", "SVG", "PDF")
 
 #: file name endings that make a file of a folder an input; an icon is one only if it is given by name
 SUFFIXES = frozenset(
@@ -59,6 +59,7 @@ SUFFIXES = frozenset(
         *("png", "apng", "jpg", "jpeg", "jpe", "jfif", "webp", "tif", "tiff", "bmp", "dib", "gif"),
         *("pnm", "pbm", "pgm", "ppm", "heic", "heif", "hif", "pdf", "svg", "svgz"),
         *("avif", "tga", "jp2", "j2k", "jpx", "jpf"),
+        *("excalidraw", "tldr", "inkml", "ink"),
     )
 )
 
@@ -106,17 +107,21 @@ def read_picture(
     if not isinstance(source, str | os.PathLike | bytes | bytearray | memoryview) and not hasattr(source, "read"):
         return Picture(_pixels(source, limits), label)
     data = read_bytes(source, limits)
-    if sniff(data) in VECTORS:
-        return _guarded(lambda: _vectors(data, label))
+    drawing = _vectors(data, limits, page, label)
+    if drawing is not None:
+        return drawing
     pixels, full_size = _decode(data, limits, page, reduced)
     return Picture(pixels, label, full_size)
 
 
-def _vectors(data: bytes, label: str) -> Picture:
-    """The lines of a vector drawing."""
-    from sketch2shape.reading.vector_formats import read_json
+def _vectors(data: bytes, limits: Limits, page: int, label: str) -> Picture | None:
+    """The lines of a vector drawing; None for what is read as pixels."""
+    name = sniff(data)
+    if name not in VECTORS:
+        return None
+    from sketch2shape.reading.vector_formats import read_vectors
 
-    return read_json(data, label)
+    return _guarded(lambda: read_vectors(name, data, limits, page, label))
 
 
 def read_pages(source: Source, limits: Limits | None = None, *, name: str | None = None) -> Iterator[Picture]:
@@ -239,18 +244,20 @@ def sniff(data: bytes) -> str | None:
         return "AVIF" if data[8:12] in _AVIF_BRANDS else "HEIF"
     if data[:1] == b"P" and data[1:2] in b"123456" and data[2:3].isspace():
         return "PPM"
-    if _is_svg(data):
+    if _is_xml_with(b"<svg", data) or _is_xml_with(b":svg", data):
         return "SVG"
+    if _is_xml_with(b"InkML", data):
+        return "INKML"
     if data[:64].lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"["):
         return "JSON"
     return "TGA" if _is_tga(data) else None
 
 
-def _is_svg(data: bytes) -> bool:
-    """Whether it is XML with an <svg> near its beginning, in any encoding that writes ASCII as ASCII, or UTF-16."""
+def _is_xml_with(mark: bytes, data: bytes) -> bool:
+    """Whether it is XML with a mark near its beginning, in any encoding that writes ASCII as ASCII, or UTF-16."""
     head = data[:65536].lstrip(b"\xef\xbb\xbf\xff\xfe")
     head = head.replace(b"\0", b"") if b"\0" in head[:4] else head
-    return head.lstrip(b" \t\r\n").startswith(b"<") and b"<svg" in head
+    return head.lstrip(b" \t\r\n").startswith(b"<") and mark in head
 
 
 def _is_tga(data: bytes) -> bool:

@@ -14,6 +14,10 @@ from sketch2shape.model import Floats, Picture, VectorDrawing, VectorLine
 
 MOST_POINTS = 100_000
 """Points of all lines together: the longest drawing by hand has a tenth of it."""
+MOST_LINES = 5_000
+"""Lines of a drawing; shading by dots has the most."""
+LONGEST = 250.0
+"""Length of all lines together, in diagonals of what they cover; a hatched drawing by hand has 60."""
 LARGEST = 1e9
 """Coordinates beyond this are none of a drawing."""
 BORDER = 0.05
@@ -41,17 +45,27 @@ def picture_of(
 
 
 def _placed(lines: list[VectorLine], page: tuple[float, float] | None) -> VectorDrawing:
-    count = sum(len(line.points) for line in lines)
-    if count > MOST_POINTS:
-        raise LimitError(f"{count} points are too many", remedy=f"a drawing of at most {MOST_POINTS} points")
-    points = np.concatenate([np.zeros((0, 2)), *(line.points for line in lines)])
-    if not (np.abs(points) <= LARGEST).all():
-        raise UnreadableError("it holds coordinates that are no numbers, or huge ones", remedy="save it again")
+    points = checked_points([line.points for line in lines])
+    diagonal = float(np.hypot(*np.ptp(points, axis=0))) if len(points) else 0.0
+    if sum(float(np.hypot(*np.diff(line.points, axis=0).T).sum()) for line in lines) > LONGEST * diagonal:
+        raise LimitError("its lines are too many or too long: a scribble", remedy="a drawing of one object")
     origin, size = _sheet(points, page)
     scale = 10.0 ** math.ceil(max(0.0, math.log10(SMALLEST / max(float(size.max()), 1e-9))))
-    width, height = (max(1, math.ceil(n)) for n in (size * scale).tolist())
+    width, height = (max(1, math.ceil(round(n, 3))) for n in (size * scale).tolist())
     moved = tuple(line.mapped(origin, scale) for line in lines)
     return VectorDrawing(moved, (width, height), (float(origin[0]), float(origin[1])), scale)
+
+
+def checked_points(lines: Sequence[Floats]) -> Floats:
+    """(n, 2) the points of all lines. Raises LimitError where they are too many, UnreadableError where too large."""
+    count = sum(map(len, lines))
+    if count > MOST_POINTS or len(lines) > MOST_LINES:
+        what = f"{count} points" if count > MOST_POINTS else f"{len(lines)} lines"
+        raise LimitError(f"{what} are too many", remedy=f"at most {MOST_POINTS} points in {MOST_LINES} lines")
+    points = np.concatenate([np.zeros((0, 2)), *lines])
+    if not (np.abs(points) <= LARGEST).all():
+        raise UnreadableError("it holds coordinates that are no numbers, or huge ones", remedy="save it again")
+    return points
 
 
 def _sheet(points: Floats, page: tuple[float, float] | None) -> tuple[Floats, Floats]:

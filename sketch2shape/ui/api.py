@@ -18,10 +18,10 @@ from sketch2shape.ui import jobs
 from sketch2shape.ui.answers import in_plain_words, plain_refusal
 from sketch2shape.ui.form import file_of
 from sketch2shape.ui.guard import Guard, read_body
-from sketch2shape.ui.openapi import MEDIA, OPTIONS, description
+from sketch2shape.ui.openapi import MEDIA, OPTIONS, VECTOR_KINDS, description
 from sketch2shape.ui.workers import WorkerPool, Workers
 
-_KINDS = ("image/", "application/octet-stream", "application/pdf", "application/json", "multipart/form-data")
+_KINDS = ("image/", "application/octet-stream", "application/pdf", *VECTOR_KINDS, "multipart/form-data")
 
 
 def create_service(

@@ -27,6 +27,7 @@ from sketch2shape.ui.answers import in_plain_words, plain_refusal
 from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.ui.guard import Guard, Refusal, read_body
 from sketch2shape.ui.hosts import LOCAL_NAMES
+from sketch2shape.ui.openapi import VECTOR_KINDS
 from sketch2shape.ui.workers import WorkerPool, Workers
 
 _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, media type: nothing else is served
@@ -40,7 +41,7 @@ _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, me
     },
 }
 
-_PICTURE_KINDS = ("image/", "application/octet-stream", "application/pdf", "application/json")
+_PICTURE_KINDS = ("image/", "application/octet-stream", "application/pdf", *VECTOR_KINDS)
 _LIFT_SECONDS, _MOST_JSON = 15.0, 2**20
 
 

@@ -7,6 +7,9 @@ from typing import Any
 from sketch2shape import __version__
 from sketch2shape.writing.formats import FORMATS
 
+#: media types of drawings that hold lines: strokes of a pen, whiteboards, InkML
+VECTOR_KINDS = ("application/json", "application/inkml+xml", "application/vnd.excalidraw+json")
+
 #: product -> media type of the answer
 MEDIA = {name: format.media for name, format in FORMATS.items()}
 
@@ -67,7 +70,7 @@ def description() -> dict[str, Any]:
                         "content": {
                             "image/*": picture,
                             "application/pdf": picture,
-                            "application/json": picture,
+                            **dict.fromkeys(VECTOR_KINDS, picture),
                             "application/octet-stream": picture,
                             "multipart/form-data": {"schema": form},
                         },
