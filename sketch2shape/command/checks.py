@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from sketch2shape.conversion.options import products_of
 from sketch2shape.errors import UnreadableError, UsageError
 from sketch2shape.reading.read import SUFFIXES as PICTURE_ENDINGS
-from sketch2shape.writing.formats import FORMATS
+from sketch2shape.writing.formats import FORMATS, named
 
 _LENGTH_UNITS = frozenset({"px", "mm", "cm", "m", "in", "inch"})
 
@@ -44,6 +44,8 @@ def check_effects(arguments: Namespace, products: Sequence[str] | None = None) -
     written = products_of(arguments) if products is None else products
     if arguments.ngons and "obj" not in written:
         raise UsageError("--ngons has no effect without OBJ", remedy="--format obj")
+    if arguments.tolerance is not None and not set(written) & (set(named("solid")) - {"step"}):
+        raise UsageError("--tolerance has no effect without a mesh", remedy="--format stl")
     if arguments.timings and "json" not in written:
         raise UsageError("--timings has no effect without a report", remedy="--json")
     idle = [name for name in ("jobs", "max_memory") if arguments.scheduler and getattr(arguments, name)]

@@ -160,6 +160,10 @@ def _solid_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--necker", action="store_true", help="the mirrored reading: near and far exchanged")
     group.add_argument("--no-beautify", action="store_true", help="leave nearly right angles and equal lengths alone")
     group.add_argument("--ngons", action="store_true", help="OBJ: whole faces instead of triangles")
+    group.add_argument(
+        "--tolerance", metavar="L",
+        help="largest distance of a mesh from a curved side, as 0.1mm (default: one that looks smooth)",
+    )  # fmt: skip
 
 
 def _batch_options(parser: argparse.ArgumentParser) -> None:

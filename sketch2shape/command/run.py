@@ -75,8 +75,12 @@ def stage_options(arguments: Namespace) -> dict[str, Any]:
 
 
 def mesh_options(arguments: Namespace) -> dict[str, Any]:
-    """Keyword arguments of `encode`."""
-    return {"ngons": True} if arguments.ngons else {}
+    """Keyword arguments of `encode`. Raises UsageError for a tolerance that is no length."""
+    from sketch2shape.pipeline.options import tolerance_of
+
+    tolerance_of(arguments.tolerance, "mm")
+    options: dict[str, Any] = {"ngons": True} if arguments.ngons else {}
+    return options if arguments.tolerance is None else {**options, "tolerance": arguments.tolerance}
 
 
 def _lift_options(arguments: Namespace) -> LiftOptions | None:

@@ -38,10 +38,13 @@ def connector_of(ring: Floats, connector: str = "auto") -> str:
     ring      : (n, 2) float, pixels, the face's vertices in the order that the ink shows
     connector : "auto" tries split-walk, orthogonal and angular in this order; the name of a method tries that one
                 alone; "ink" none
+    A ring of fewer than three vertices, which arcs close, has only the order that the ink shows. Points along an arc
+    are no vertices, its two ends are.
+
     Raises UsageError for an unknown connector, MissingPackageError if the named one needs an optional package.
     """
     check_connector(connector)
-    if connector == INK:
+    if connector == INK or len(ring) < 3:
         return INK
     if connector == "auto":
         known = (("split-walk", by_split_walk), ("orthogonal", by_pairing), ("angular", by_centre))

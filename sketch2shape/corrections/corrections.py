@@ -7,6 +7,8 @@ The file is JSON. For one picture:
                   "holes": [{"f1": [...], "f2": [...]}],
                   "projection": "axonometric", "width": "40mm"}]}
 
+`"arcs"`, in the words of a report, tell which edges are curved (`"points"` along them suffice; those of "f2" may be
+left out, but for whole ellipses); "f2" of one vertex is the point of a pyramid or a cone.
 `"d": [dx, dy]` may stand for "f2", which is then f1 shifted. With `"vertices": [[x, y], ...]` the rings may be indices
 into it. An object without "f1" leaves the finding to the program and only says how to lift the object at this place of
 the list. For a folder, `{"schema": ..., "pictures": {"a.png": {"objects": [...]}, ...}}`. A report (NAME.json) is
@@ -24,8 +26,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from sketch2shape.corrections.arcs import arcs_from, needs_vertices
 from sketch2shape.errors import UsageError
-from sketch2shape.model import Answer, FacePair, Floats, Picture, TwoFaceObject
+from sketch2shape.model import Answer, FacePair, Floats, Picture, Side, TwoFaceObject
 
 if TYPE_CHECKING:
     from sketch2shape.lifting import LiftOptions
@@ -36,8 +39,10 @@ _MOST_VERTICES, _MOST_OBJECTS, _FARTHEST = 2000, 200, 1e6
 _FAMILIES = ("auto", "oblique", "axonometric", "perspective")
 _SIZES = ("width", "height", "depth")
 #: what a report says of an object beyond what can be corrected
-_FINDINGS = frozenset({"edges", "confidence", "solid", "alternatives", "lines", "connectors", "noise", "f2_drawn"})
-_OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "projection", *_SIZES})
+_FINDINGS = frozenset(
+    {"silhouettes", "shape", "edges", "confidence", "solid", "alternatives", "lines", "connectors", "noise", "f2_drawn"}
+)
+_OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "arcs", "projection", *_SIZES})
 
 
 @dataclass(frozen=True)
@@ -150,17 +155,36 @@ def _object(data: Any, where: str) -> ObjectCorrection:
     shape = None
     if "f1" in entry:
         points = points_from(entry["vertices"], f"{where}, vertices") if "vertices" in entry else None
-        outer = _pair(entry, points, where)
-        listed = _sequence(entry.get("holes", []), f"{where}, holes")
-        shift = outer.f2[0] - outer.f1[0]
-        holes = tuple(_pair(_mapping(h, f"{where}, hole"), points, f"{where}, hole", shift) for h in listed)
-        shape = TwoFaceObject(outer.f1, outer.f2, holes, connectors=("hand", "hand"))
-        _check_faces(shape, where)
+        shape = _faces(entry, points, where)
     return ObjectCorrection(shape, _projection(entry.get("projection", "auto"), where), _sizes(entry, where))
 
 
-def _pair(entry: Mapping[str, Any], points: Floats | None, where: str, shift: Floats | None = None) -> FacePair:
-    """The two rings of an object or a hole; a ring that is not given is the other one shifted."""
+def _faces(entry: Mapping[str, Any], points: Floats | None, where: str) -> TwoFaceObject:
+    """The object whose faces an entry gives."""
+    outer = _pair(entry, points, where, pointed=True)
+    listed = _sequence(entry.get("holes", []), f"{where}, holes")
+    shift = outer.f2[0] - outer.f1[0] if len(outer.f1) and len(outer.f2) else None
+    holes = tuple(_pair(_mapping(h, f"{where}, hole"), points, f"{where}, hole", shift) for h in listed)
+    if holes and len(outer.f2) == 1:
+        raise _wrong(f"{where} comes to a point: it cannot have holes")
+    arcs = arcs_from(entry.get("arcs", []), [outer, *holes], points_from, where)
+    wrong = needs_vertices([outer, *holes], arcs)
+    if wrong:
+        raise _wrong(f"{where}: {wrong[0]}; a face needs 3 vertices, or arcs")
+    shape = TwoFaceObject(outer.f1, outer.f2, holes, connectors=("hand", "hand"), arcs=arcs)
+    _check_faces(shape, where)
+    return shape
+
+
+def _pair(
+    entry: Mapping[str, Any],
+    points: Floats | None,
+    where: str,
+    shift: Floats | None = None,
+    *,
+    pointed: bool = False,
+) -> FacePair:
+    """The two rings of an object or a hole; one that is not given is the other one shifted; pointed: may f2 be one?"""
     f1 = _ring(entry.get("f1"), points, f"{where}, f1")
     if "f2" in entry:
         f2 = _ring(entry["f2"], points, f"{where}, f2")
@@ -170,7 +194,7 @@ def _pair(entry: Mapping[str, Any], points: Floats | None, where: str, shift: Fl
         f2 = f1 + shift
     else:
         raise _wrong(f'{where} has "f1" but neither "f2" nor "d"')
-    if len(f1) != len(f2):
+    if len(f1) != len(f2) and not (pointed and len(f2) == 1):
         raise _wrong(f"{where}: the front face has {len(f1)} vertices, the back face {len(f2)}")
     return FacePair(f1, f2)
 
@@ -183,8 +207,8 @@ def _ring(data: Any, points: Floats | None, where: str) -> Floats:
         if not all(type(i) is int and 0 <= i < len(points) for i in indices):
             raise _wrong(f"{where} must be numbers of vertices from 0 to {len(points) - 1}")
         ring = points[np.array(indices, np.intp)]
-    if not 3 <= len(ring) <= _MOST_VERTICES:
-        raise _wrong(f"{where} has {len(ring)} vertices; a face needs 3 to {_MOST_VERTICES}")
+    if len(ring) > _MOST_VERTICES:
+        raise _wrong(f"{where} has {len(ring)} vertices; a face has at most {_MOST_VERTICES}")
     return ring
 
 
@@ -204,8 +228,9 @@ def _check_faces(shape: TwoFaceObject, where: str) -> None:
     """Refuse faces that are no polygons: crossing themselves, without area, or with holes outside."""
     from shapely import Polygon
 
-    for side, name in ((0, "front"), (1, "back")):
-        rings = [(pair.f1, pair.f2)[side] for pair in shape.rings]
+    faces: list[tuple[Side, str]] = [("f1", "front"), ("f2", "back")]
+    for side, name in faces[:1] if shape.is_pointed else faces:
+        rings = shape.outlines(side)
         face = Polygon(rings[0], rings[1:])
         crossed = not Polygon(rings[0]).is_valid
         if crossed or not face.is_valid:
@@ -213,7 +238,7 @@ def _check_faces(shape: TwoFaceObject, where: str) -> None:
             raise _wrong(f"{where}: the {name} face is not a polygon, {what}", _UNTANGLE)
         if face.area < 1e-6:
             raise _wrong(f"{where}: the {name} face has no area", _UNTANGLE)
-    if np.allclose(shape.f1, shape.f2, atol=1e-6):
+    if not shape.is_round and not shape.is_pointed and np.allclose(shape.f1, shape.f2, atol=1e-6):
         raise _wrong(f"{where}: front and back face lie on each other", _UNTANGLE)
 
 

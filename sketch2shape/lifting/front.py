@@ -19,7 +19,7 @@ def choose_front(obj: TwoFaceObject) -> TwoFaceObject:
     """
     if obj.lines != "wire" or obj.is_pointed:
         return obj
-    f1, f2 = (_outline(obj, face) for face in _SIDES)
+    f1, f2 = (obj.outlines(face)[0] for face in _SIDES)
     size1, size2 = _size(f1), _size(f2)
     slack = 0.02 + 4.0 * obj.noise / max(size1, size2, 1e-9)
     if abs(size2 - size1) > slack * max(size1, size2):
@@ -28,13 +28,6 @@ def choose_front(obj: TwoFaceObject) -> TwoFaceObject:
     upright = _is_plumb(d, 0.02) or (_is_plumb(d, 0.15) and not _has_plumb_edge(obj.f1))
     behind = d[1] > 0 if upright else d[1] < 0 or (d[1] == 0 and d[0] > 0)
     return obj if behind else obj.swapped()
-
-
-def _outline(obj: TwoFaceObject, face: Side) -> Floats:
-    """(n, 2) vertices of the outer ring of a face, or points along it where it is a whole ellipse."""
-    ring = obj.f1 if face == "f1" else obj.f2
-    whole = [arc.points for arc in obj.arcs if (arc.face, arc.hole, arc.start) == (face, None, None)]
-    return whole[0] if whole else ring
 
 
 def _is_plumb(vector: Floats, slack: float) -> bool:

@@ -133,6 +133,19 @@ class TwoFaceObject(Brief):
         """Whether some edge is curved."""
         return bool(self.arcs)
 
+    def outlines(self, face: Side) -> tuple[Floats, ...]:
+        """(k, 2) each ring of a face as drawn, arcs by the points along them; a back face that is a point has none."""
+        if face == "f2" and self.is_pointed:
+            return ()
+        found: list[Floats] = []
+        for number, pair in enumerate(self.rings):
+            hole = number - 1 if number else None
+            own = {arc.start: arc.points for arc in self.arcs if (arc.face, arc.hole) == (face, hole)}
+            ring = pair.f1 if face == "f1" else pair.f2
+            pieces = (own[k][:-1] if k in own else ring[k : k + 1] for k in range(len(ring)))
+            found.append(own[None] if None in own else np.concatenate([ring[:0], *pieces]))
+        return tuple(found)
+
     def swapped(self) -> TwoFaceObject:
         """The same object with f1 and f2 (and those of the holes) exchanged. Raises PointsError if it has a point."""
         if self.is_pointed:

@@ -7,7 +7,7 @@ import numpy as np
 
 from sketch2shape.evidence import unexplained_strokes
 from sketch2shape.ink import find_ink
-from sketch2shape.model import Answer, Floats, Side, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit, text_width
 from sketch2shape.pictures.palette import BACK, BACKDROP, FAILED, FRONT, INK, JOIN, MUTED, PAPER, RULE, Colour
 from sketch2shape.solids import DrawnLine, drawn_lines
@@ -48,29 +48,12 @@ def overlay(result: Answer, *, legend: bool = True) -> Pixels:
 def draw_object(canvas: Canvas, obj: TwoFaceObject, solid: Solid, unit: float = 1.0) -> None:
     """Draw an object, lifted to this solid, in the canvas's view; `unit` scales line widths."""
     front = sum(len(pair.f1) for pair in obj.rings)
-    canvas.fill(ring_outlines(obj, "f1"), FRONT, 0.16)
+    canvas.fill(obj.outlines("f1"), FRONT, 0.16)
     lines = [(_colour(line, solid, front), line) for line in drawn_lines(obj, solid)]
     for colour, line in sorted(lines, key=lambda pair: pair[0] == FRONT):
         _draw_line(canvas, line, colour, unit)
     for v, at in enumerate(obj.vertices):
         canvas.dot(at, 3.6 * unit, FRONT if v < front else BACK, rim_width=1.3 * unit)
-
-
-def ring_outlines(obj: TwoFaceObject, face: Side) -> list[Floats]:
-    """(k, 2) the rings of one face as drawn, arcs by the points along them; a back face that is one point has none."""
-    found: list[Floats] = []
-    for number, pair in enumerate(obj.rings):
-        ring = pair.f1 if face == "f1" else pair.f2
-        mine = {
-            arc.start: arc.points
-            for arc in obj.arcs
-            if arc.face == face and (0 if arc.hole is None else arc.hole + 1) == number
-        }
-        if None in mine:
-            found.append(mine[None])
-        elif len(ring) > 1:
-            found.append(np.concatenate([mine[k][:-1] if k in mine else ring[k : k + 1] for k in range(len(ring))]))
-    return found
 
 
 def pale(pixels: Pixels, part: float = 0.45) -> Pixels:

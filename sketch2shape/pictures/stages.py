@@ -12,7 +12,7 @@ import numpy as np
 
 from sketch2shape.model import Answer, Floats, Side, Solid, TwoFaceObject
 from sketch2shape.pictures.canvas import Canvas, Pixels, fit
-from sketch2shape.pictures.overlay import draw_object, ring_outlines
+from sketch2shape.pictures.overlay import draw_object
 from sketch2shape.pictures.palette import BACK, BACKDROP, FRONT, INK, MUTED, PAPER, RULE, Colour, mix
 from sketch2shape.pictures.preview import preview_of
 
@@ -137,7 +137,7 @@ def _numbered(canvas: Canvas, obj: TwoFaceObject, *, front: bool) -> None:
     for p in obj.vertices:
         canvas.dot(p, 2, RULE, rim=None)
     side, colour = _SIDES[0] if front else _SIDES[1]
-    for outline in ring_outlines(obj, side) if obj.is_round else []:
+    for outline in obj.outlines(side) if obj.is_round else []:
         canvas.path(np.concatenate([outline, outline[:1]]), mix(colour, PAPER, 0.6), 1.6)
     rings = [ring for r in obj.rings if len(ring := r.f1 if front else r.f2)]
     label = 0
@@ -163,7 +163,7 @@ def _pairs(canvas: Canvas, obj: TwoFaceObject) -> None:
 
 def _faces(canvas: Canvas, obj: TwoFaceObject) -> None:
     for side, colour in reversed(_SIDES):
-        outlines = ring_outlines(obj, side)
+        outlines = obj.outlines(side)
         if outlines:
             canvas.fill(outlines, colour, 0.10)
         for outline in outlines:

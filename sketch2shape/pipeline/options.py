@@ -12,6 +12,7 @@ from typing import Any, TypeVar, cast
 from sketch2shape.corrections import Corrections, corrections_from
 from sketch2shape.errors import OptionError, UsageError
 from sketch2shape.lifting import LiftOptions
+from sketch2shape.lifting.options import length
 from sketch2shape.reading import Limits
 
 Call = TypeVar("Call", bound=Callable[..., Any])
@@ -51,6 +52,14 @@ def corrections_of(given: Corrections | Mapping[str, Any] | None) -> Corrections
     if given is None or isinstance(given, Corrections):
         return given
     return corrections_from(given)
+
+
+def tolerance_of(given: str | float | None, unit: str) -> float | None:
+    """A chord tolerance such as "0.1mm" or 0.1 as a number in a solid's unit; None stays None. Raises UsageError."""
+    try:
+        return length(given, unit)
+    except UsageError as error:
+        raise UsageError(f"tolerance {given!r} is not a length", remedy=error.remedy) from None
 
 
 def refuse_unknown(function: Callable[..., Any], options: Iterable[str]) -> None:

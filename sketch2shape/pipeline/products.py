@@ -10,6 +10,7 @@ from typing import Any
 
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Answer
+from sketch2shape.pipeline.options import tolerance_of
 from sketch2shape.pipeline.report import encode_report, report
 from sketch2shape.writing import formats
 
@@ -72,4 +73,5 @@ def encode_product(product: str, result: Answer, options: dict[str, Any]) -> byt
         return ENCODERS[product](result)
     from sketch2shape.export import encode
 
-    return encode(result, product, **options)
+    unit = result.solids[0].unit if result.solids else "px"
+    return encode(result, product, **{**options, "tolerance": tolerance_of(options.get("tolerance"), unit)})

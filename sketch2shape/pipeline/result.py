@@ -31,12 +31,21 @@ class Result(Answer):
 
         return to_trimesh(self.solids)
 
-    def export(self, path: str | PathLike[str], format: str | None = None, *, ngons: bool = False) -> Path:
+    def export(
+        self,
+        path: str | PathLike[str],
+        format: str | None = None,
+        *,
+        ngons: bool = False,
+        tolerance: str | float | None = None,
+    ) -> Path:
         """Write the solids, the report or a picture to a file, all or nothing, and return its path.
 
         format : a key of `sketch2shape.export.FORMATS`, or "json" (the report), "overlay", "stages", "preview" (PNG),
                  "html"; None takes it from the name: "a.stl", "a.json", "a.overlay.png"
         ngons  : in OBJ, write whole polygons as faces instead of triangles
+        tolerance : in meshes, the largest distance of a facet from a curved side, as "0.1mm" or a number in the solid's
+                 unit; None for one that looks smooth
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
@@ -44,7 +53,7 @@ class Result(Answer):
         from sketch2shape.writing import write_file
 
         target = Path(path)
-        data = encode_product(format or product_of(str(target)), self, {"ngons": ngons})
+        data = encode_product(format or product_of(str(target)), self, {"ngons": ngons, "tolerance": tolerance})
         write_file(target, data, overwrite=True)
         return target
 

@@ -16,7 +16,7 @@ from sketch2shape.errors import UsageError
 from sketch2shape.lifting import LiftOptions
 from sketch2shape.lifting import lift as lift_object
 from sketch2shape.model import TwoFaceObject, checked_count
-from sketch2shape.pipeline.options import lift_options_of
+from sketch2shape.pipeline.options import lift_options_of, tolerance_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -42,12 +42,21 @@ class Solid(model.Solid):
 
         return to_trimesh(self)
 
-    def export(self, path: str | PathLike[str], format: str | None = None, *, ngons: bool = False) -> Path:
+    def export(
+        self,
+        path: str | PathLike[str],
+        format: str | None = None,
+        *,
+        ngons: bool = False,
+        tolerance: str | float | None = None,
+    ) -> Path:
         """Write the solid to a file, all or nothing, and return its path.
 
         format : a mesh format of `sketch2shape.export.FORMATS`, "face.svg" or "face.dxf"; None takes it from the
                  extension
         ngons  : in OBJ, write whole polygons as faces instead of triangles
+        tolerance : in meshes, the largest distance of a facet from a curved side, as "0.1mm" or a number in the solid's
+                 unit; None for one that looks smooth
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
@@ -55,7 +64,8 @@ class Solid(model.Solid):
         from sketch2shape.writing import write_file
 
         target = Path(path)
-        write_file(target, encode(self, format or format_of(target), ngons=ngons), overwrite=True)
+        chord = tolerance_of(tolerance, self.unit)
+        write_file(target, encode(self, format or format_of(target), ngons=ngons, tolerance=chord), overwrite=True)
         return target
 
 

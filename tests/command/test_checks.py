@@ -50,6 +50,8 @@ def test_a_missing_picture_is_named_before_its_outputs(here, capsys):
     [
         (["--ngons"], ["stl"]),
         (["--ngons", "--format", "stl"], None),
+        (["--tolerance", "1mm"], ["step", "json"]),
+        (["--tolerance", "1mm", "--format", "step"], None),
         (["--timings"], ["obj"]),
         (["--timings"], None),
         (["--jobs", "2", "--scheduler", "tcp://a:1"], None),
@@ -63,4 +65,5 @@ def test_an_option_that_changes_nothing_is_refused(words, products):
 
 def test_and_one_that_does_is_not():
     check_effects(parse(["w.png", "--ngons", "--timings", "--json"]))
+    check_effects(parse(["w.png", "--tolerance", "0.1mm"]), ["step", "stl"])
     check_effects(parse(["w.png", "--ngons", "--timings"]), ["obj", "json"])

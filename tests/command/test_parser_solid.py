@@ -33,6 +33,12 @@ def test_every_option_reaches_the_lifting():
     assert mesh_options(arguments) == {"ngons": True}
 
 
+def test_a_tolerance_reaches_the_meshes_and_has_to_be_a_length():
+    assert mesh_options(parse(["a.png", "--tolerance", "0.1mm"])) == {"tolerance": "0.1mm"}
+    with pytest.raises(UsageError, match="tolerance"):
+        mesh_options(parse(["a.png", "--tolerance", "fine"]))
+
+
 def test_another_reading_a_fit_and_the_pictures_frame_can_be_asked_for():
     arguments = parse(["a.png", "--reading", "2", "--fit", "50mm", "--up", "camera"])
     assert stage_options(arguments)["lift"] == LiftOptions(reading=2, fit="50mm", up="camera")

@@ -94,3 +94,9 @@ def test_coincident_vertices_are_for_the_ink():
 def test_an_unknown_connector_is_refused_with_its_neighbour():
     with pytest.raises(UsageError, match="split-walk"):
         connector_of(SQUARE, "splitwalk")
+
+
+@pytest.mark.parametrize("ring", [np.zeros((0, 2)), np.array([[0.0, 0], [9, 0]])])
+def test_rings_that_arcs_close_keep_the_order_of_the_ink(ring):
+    assert connector_of(ring) == "ink"
+    assert connector_of(ring, "angular") == "ink"

@@ -12,7 +12,9 @@ from hypothesis import strategies as st
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.export import encode, format_of, to_trimesh
 from sketch2shape.export.mesh import settled
+from sketch2shape.export.units import in_millimetres
 from sketch2shape.model import Projection, Solid, two_face_boundary
+from tests.solids.round_bodies import ROUND
 
 L_SHAPE = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2.0]])
 HOLE = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]])
@@ -148,3 +150,32 @@ def test_text_stl_is_one_named_solid_without_empty_lines():
     assert lines[-2:] == ["endsolid sketch2shape", ""]
     assert all(line.strip() for line in lines[:-1])
     assert lines.count("endfacet") == len(to_trimesh(prism([L_SHAPE])).faces)
+
+
+@pytest.mark.parametrize("format", ["obj", "stl", "stl-ascii", "ply", "glb", "3mf", "off"])
+def test_meshes_of_round_solids_keep_to_the_tolerance(format):
+    cylinder = ROUND["cylinder"][0]
+    fine, coarse = (len(encode(cylinder, format, tolerance=t)) for t in (0.001, 0.2))
+    assert fine > 1.8 * coarse
+
+
+def test_a_tolerance_is_in_the_unit_of_the_solid():
+    inches = replace(ROUND["cylinder"][0], unit="in")
+    millimetres = in_millimetres([inches])[0]
+    assert encode(inches, "stl", tolerance=0.01) == encode(millimetres, "stl", tolerance=0.254)
+
+
+@pytest.mark.parametrize("name", ROUND)
+def test_obj_with_whole_faces_has_flat_ones_only(name):
+    solid, volume, *_ = ROUND[name]
+    rows = [row.split() for row in encode(solid, "obj", ngons=True).decode().splitlines()]
+    vertices = np.array([row[1:] for row in rows if row[0] == "v"], float)
+    total = 0.0
+    for face in ([int(i) - 1 for i in row[1:]] for row in rows if row[0] == "f"):
+        corners = vertices[face]
+        normal = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
+        assert (corners - corners[0]) @ normal == pytest.approx(0.0, abs=1e-6)
+        total += float(corners[0] @ normal) / 6
+    assert total == pytest.approx(volume, rel=5e-3)
+    own = solid.vertices
+    assert vertices[: len(own)] == pytest.approx(own)

@@ -30,3 +30,13 @@ def test_a_cylinder_has_arcs_and_no_vertices():
 def test_a_ring_of_a_line_and_an_arc_has_one_edge_each_way():
     half_disc = TwoFaceObject([[0, 0], [9, 0]], [[0, 5], [9, 5]])
     assert half_disc.edges.tolist() == [[0, 1], [1, 0], [2, 3], [3, 2], [0, 2], [1, 3]]
+
+
+def test_outlines_follow_the_arcs():
+    path = np.array([[0, 0], [5, -3], [10, 0.0]])
+    ends = np.array([[0, 0], [10, 0.0]])
+    arc = DrawnArc("f1", None, 0, 1, Ellipse(np.zeros(2), (1.0, 1.0), 0.0), path)
+    half = TwoFaceObject(ends, ends + 4, arcs=(arc,))
+    assert half.outlines("f1")[0].tolist() == [[0, 0], [5, -3], [10, 0]]
+    assert half.outlines("f2")[0].tolist() == (ends + 4).tolist()
+    assert TwoFaceObject(np.eye(3)[:, :2], [[9, 9]]).outlines("f2") == ()

@@ -11,7 +11,6 @@ from sketch2shape.lifting import lift
 from sketch2shape.model import Answer, Picture
 from sketch2shape.pictures import overlay, preview, preview_of, stages, viewer
 from sketch2shape.pictures.facets import surface
-from sketch2shape.pictures.overlay import ring_outlines
 from sketch2shape.pictures.palette import BACK, FRONT, JOIN
 from sketch2shape.pictures.viewer import shape
 from tests.lifting.round_views import CIRCLE, HOLE, ROUNDED, SQUARE, STANDING, Drawer, axonometric
@@ -79,7 +78,7 @@ def test_several_solids_keep_their_outlines_apart():
 
 def test_outlines_of_faces_hold_their_arcs():
     obj = answer("plate").objects[0]
-    outer, hole = ring_outlines(obj, "f1")
+    outer, hole = obj.outlines("f1")
     assert len(outer) == 4
     assert len(hole) >= 9
-    assert ring_outlines(answer("cone").objects[0], "f2") == []
+    assert answer("cone").objects[0].outlines("f2") == ()

@@ -6,7 +6,8 @@ import trimesh
 from sketches import DEPTH, L_SHAPE, SQUARE
 
 import sketch2shape as s2s
-from sketch2shape import lifting, model
+from sketch2shape import Solid, UsageError, lifting, model
+from tests.solids.round_bodies import ROUND
 
 BOX = s2s.TwoFaceObject(SQUARE, SQUARE + DEPTH)
 
@@ -50,3 +51,11 @@ def test_options_by_name_and_what_is_wrong_with_them():
             s2s.lift(BOX, options=wrong)
     with pytest.raises(s2s.UsageError, match="TwoFaceObject"):
         s2s.lift(SQUARE)
+
+
+def test_a_tolerance_is_a_length(tmp_path):
+    solid = Solid.of(ROUND["cylinder"][0])
+    rough, fine = (solid.export(tmp_path / f"{k}.obj", tolerance=t) for k, t in enumerate(("0.2mm", "0.0001cm")))
+    assert rough.stat().st_size < 0.2 * fine.stat().st_size
+    with pytest.raises(UsageError, match="tolerance"):
+        solid.export(tmp_path / "a.obj", tolerance="fine")
