@@ -46,6 +46,8 @@ def check_effects(arguments: Namespace, products: Sequence[str] | None = None) -
         raise UsageError("--ngons has no effect without OBJ", remedy="--format obj")
     if arguments.tolerance is not None and not set(written) & (set(named("solid")) - {"step"}):
         raise UsageError("--tolerance has no effect without a mesh", remedy="--format stl")
+    if arguments.paper and not {*named("plan")} & {*written}:
+        raise UsageError("--paper has no effect without a plan", remedy=f"--format {named('plan')[0]}")
     if arguments.timings and "json" not in written:
         raise UsageError("--timings has no effect without a report", remedy="--json")
     idle = [name for name in ("jobs", "max_memory") if arguments.scheduler and getattr(arguments, name)]

@@ -164,6 +164,7 @@ def _solid_options(parser: argparse.ArgumentParser) -> None:
         "--tolerance", metavar="L",
         help="largest distance of a mesh from a curved side, as 0.1mm (default: one that looks smooth)",
     )  # fmt: skip
+    group.add_argument("--paper", choices=("a4", "letter"), type=str.lower, help="of nets and other plans (default a4)")
 
 
 def _batch_options(parser: argparse.ArgumentParser) -> None:

@@ -80,7 +80,8 @@ def mesh_options(arguments: Namespace) -> dict[str, Any]:
 
     tolerance_of(arguments.tolerance, "mm")
     options: dict[str, Any] = {"ngons": True} if arguments.ngons else {}
-    return options if arguments.tolerance is None else {**options, "tolerance": arguments.tolerance}
+    given = {name: getattr(arguments, name) for name in ("tolerance", "paper")}
+    return options | {name: value for name, value in given.items() if value is not None}
 
 
 def _lift_options(arguments: Namespace) -> LiftOptions | None:

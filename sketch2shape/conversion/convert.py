@@ -161,9 +161,19 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
         read_ms = (time.perf_counter() - begin) * 1000
         result = _reconstruct(picture, task.settings, read_ms)
         _write_all(task, result, written)
+        found = "; ".join([describe(result), *_notes(task, result)])
     except Exception as error:
         return report_failure(task, error, size=size, written=written)
-    return Outcome(task.name, objects=len(result.objects), confidence=least_confidence(result), found=describe(result))
+    return Outcome(task.name, objects=len(result.objects), confidence=least_confidence(result), found=found)
+
+
+def _notes(task: Task, result: Answer) -> list[str]:
+    """What had to be assumed to write the outputs."""
+    from sketch2shape.export import note_of
+
+    options = {name: value for name, value in task.settings.mesh.items() if name == "paper"}
+    notes = (note_of(result, output.product, **options) for output in task.outputs)
+    return list(dict.fromkeys(note for note in notes if note))
 
 
 def _reconstruct(picture: Picture, settings: Settings, read_ms: float) -> Answer:

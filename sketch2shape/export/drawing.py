@@ -14,6 +14,7 @@ import numpy as np
 
 from sketch2shape.export.mesh import settled
 from sketch2shape.model import Solid, TwoFaceObject
+from sketch2shape.sheets import dxf_file, dxf_pair
 from sketch2shape.solids import DrawnLine, FlatRing, drawn_lines, front_outline
 
 LAYERS = ("visible", "hidden")
@@ -23,9 +24,6 @@ _GAP = 0.1
 
 #: width of the line around a face laid flat, as a part of the face's longer side
 _STROKE = 0.003
-
-#: $INSUNITS of a DXF file: what one drawing unit is; 0 for pixels, which are no length
-_DXF_UNITS = {"px": 0, "in": 1, "mm": 4, "cm": 5, "m": 6}
 
 _SVG = '<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{x:.9g} {y:.9g} {w:.9g} {h:.9g}">\n{body}\n</svg>\n'
 
@@ -50,8 +48,8 @@ def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> st
         for line in drawn_lines(obj, solid):
             layer = "VISIBLE" if line.visible else "HIDDEN"
             for (x1, y1), (x2, y2) in pairwise(line.points):
-                entities += ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
-    return _dxf({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities, "px")
+                entities += ["0", "LINE", "8", layer, *dxf_pair(10, x1, -y1), *dxf_pair(11, x2, -y2)]
+    return dxf_file({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities, "px")
 
 
 def face_svg(solids: Sequence[Solid]) -> str:
@@ -84,7 +82,7 @@ def face_dxf(solids: Sequence[Solid]) -> str:
         for layer, ring in zip(["FACE"] + ["HOLES"] * (len(face) - 1), face, strict=True):
             entities += _dxf_ring(ring, layer)
     unit = solids[0].unit if solids else "px"
-    return _dxf({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities, unit)
+    return dxf_file({"FACE": "CONTINUOUS", "HOLES": "CONTINUOUS"}, entities, unit)
 
 
 def _svg_layer(lines: list[DrawnLine], layer: str) -> str:
@@ -99,10 +97,10 @@ def _dxf_ring(ring: FlatRing, layer: str) -> list[str]:
     """A ring as DXF, y up: arcs then turn the other way."""
     if ring.circle is not None:
         (x, y), radius = ring.circle
-        return ["0", "CIRCLE", "8", layer, *_pair(10, x, -y), "40", f"{radius:.6f}"]
-    rows = ["0", "POLYLINE", "8", layer, "66", "1", "70", "1", *_pair(10, 0.0, 0.0), "30", "0.0"]
+        return ["0", "CIRCLE", "8", layer, *dxf_pair(10, x, -y), "40", f"{radius:.6f}"]
+    rows = ["0", "POLYLINE", "8", layer, "66", "1", "70", "1", *dxf_pair(10, 0.0, 0.0), "30", "0.0"]
     for (x, y), bulge in zip(ring.points, ring.bulges, strict=True):
-        rows += ["0", "VERTEX", "8", layer, *_pair(10, x, -y), *(["42", f"{-bulge:.9f}"] if bulge else [])]
+        rows += ["0", "VERTEX", "8", layer, *dxf_pair(10, x, -y), *(["42", f"{-bulge:.9f}"] if bulge else [])]
     return [*rows, "0", "SEQEND", "8", layer]
 
 
@@ -142,24 +140,3 @@ def _svg_ring(ring: FlatRing) -> str:
         elif after:
             steps.append(f"L{x:.9g} {y:.9g}")
     return "".join(steps) + "Z"
-
-
-def _pair(code: int, x: float, y: float) -> list[str]:
-    return [str(code), f"{x + 0.0:.6f}", str(code + 10), f"{y + 0.0:.6f}"]  # no -0
-
-
-def _dxf(layers: dict[str, str], entities: list[str], unit: str) -> str:
-    """A whole release 12 file around the entities, that names its unit."""
-    line_types = ["0", "LTYPE", "2", "CONTINUOUS", "70", "0", "3", "Solid", "72", "65", "73", "0", "40", "0.0"]
-    line_types += ["0", "LTYPE", "2", "DASHED", "70", "0", "3", "Dashed", "72", "65", "73", "2", "40", "12.0"]
-    line_types += ["49", "8.0", "49", "-4.0"]
-    table: list[str] = []
-    for name, line_type in layers.items():
-        table += ["0", "LAYER", "2", name, "70", "0", "62", "7" if line_type == "CONTINUOUS" else "8", "6", line_type]
-    rows = ["0", "SECTION", "2", "HEADER", "9", "$ACADVER", "1", "AC1009"]
-    rows += ["9", "$INSUNITS", "70", str(_DXF_UNITS[unit]), "9", "$MEASUREMENT", "70", "0" if unit == "in" else "1"]
-    rows += ["0", "ENDSEC"]
-    rows += ["0", "SECTION", "2", "TABLES", "0", "TABLE", "2", "LTYPE", "70", "2", *line_types, "0", "ENDTAB"]
-    rows += ["0", "TABLE", "2", "LAYER", "70", str(len(layers)), *table, "0", "ENDTAB", "0", "ENDSEC"]
-    rows += ["0", "SECTION", "2", "ENTITIES", *entities, "0", "ENDSEC", "0", "EOF"]
-    return "\n".join(rows) + "\n"

@@ -7,6 +7,7 @@ from pathlib import PurePath
 from typing import Any
 
 from sketch2shape.errors import NoObjectError, UsageError
+from sketch2shape.export.plans import PaperName, PlanOptions, encode_plan, plan_note
 from sketch2shape.export.units import MILLIMETRES, in_millimetres
 from sketch2shape.model import Answer, Solid
 from sketch2shape.writing import formats
@@ -19,6 +20,9 @@ FORMATS: dict[str, str] = {
 #: formats that hold the solid itself
 MESH_FORMATS = formats.named("solid")
 
+#: formats that are plans on paper
+PLANS = formats.named("plan")
+
 #: formats that have no word for the unit: programs take their numbers as millimetres
 _UNITLESS = ("obj", "stl", "stl-ascii", "ply", "off", *formats.named("program"))
 
@@ -27,7 +31,12 @@ _DRAWINGS = ("svg", "dxf")
 
 
 def encode(
-    result: Answer | Solid | Sequence[Solid], format: str, *, ngons: bool = False, tolerance: float | None = None
+    result: Answer | Solid | Sequence[Solid],
+    format: str,
+    *,
+    ngons: bool = False,
+    tolerance: float | None = None,
+    paper: PaperName = "a4",
 ) -> bytes:
     """The file's bytes for a result, a solid or several solids (one body each).
 
@@ -35,8 +44,9 @@ def encode(
     ngons     : in OBJ, write whole polygons as faces instead of triangles
     tolerance : in meshes, the largest distance of a facet from a curved side, in the solids' unit; None for one that
                 looks smooth
+    paper     : of plans, "a4" or "letter"
 
-    Raises UsageError for an unknown format, NoObjectError if there is no solid.
+    Raises UsageError for an unknown format or paper, NoObjectError if there is no solid.
     """
     if format not in FORMATS:
         raise UsageError(f"unknown format {format!r}", remedy=f"one of {', '.join(FORMATS)}")
@@ -44,16 +54,31 @@ def encode(
         if not isinstance(result, Answer):
             raise UsageError(f"{format} shows the drawing and needs a whole result, not solids alone")
         return _drawing(result, format)
-    many = result.solids if isinstance(result, Answer) else result
-    solids = (many,) if isinstance(many, Solid) else tuple(many)
-    if not solids:
-        raise NoObjectError("there is no object to write")
+    solids = _solids_of(result)
+    if format in PLANS:
+        return encode_plan(solids, format, PlanOptions(paper))
     if format in _UNITLESS:
         tolerance = tolerance and tolerance * MILLIMETRES[solids[0].unit]
         solids = tuple(in_millimetres(solids))
     if format == "obj":
         return _obj(solids, ngons, tolerance)
     return _EXACT[format](solids) if format in _EXACT else _MESHES[format](solids, tolerance)
+
+
+def note_of(result: Answer | Solid | Sequence[Solid], format: str, *, paper: PaperName = "a4") -> str | None:
+    """What `encode` has to assume for a plan without a real size, or to leave of its scale, in words; None if nothing.
+
+    Raises as `encode`.
+    """
+    return plan_note(_solids_of(result), format, PlanOptions(paper)) if format in PLANS else None
+
+
+def _solids_of(result: Answer | Solid | Sequence[Solid]) -> tuple[Solid, ...]:
+    many = result.solids if isinstance(result, Answer) else result
+    solids = (many,) if isinstance(many, Solid) else tuple(many)
+    if not solids:
+        raise NoObjectError("there is no object to write")
+    return solids
 
 
 def format_of(path: str | PurePath) -> str:

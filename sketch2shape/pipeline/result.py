@@ -13,6 +13,8 @@ from sketch2shape.pipeline.solid import Solid
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
+    from sketch2shape.export import PaperName
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Result(Answer):
@@ -38,6 +40,7 @@ class Result(Answer):
         *,
         ngons: bool = False,
         tolerance: str | float | None = None,
+        paper: PaperName = "a4",
     ) -> Path:
         """Write the solids, the report or a picture to a file, all or nothing, and return its path.
 
@@ -46,6 +49,7 @@ class Result(Answer):
         ngons  : in OBJ, write whole polygons as faces instead of triangles
         tolerance : in meshes, the largest distance of a facet from a curved side, as "0.1mm" or a number in the solid's
                  unit; None for one that looks smooth
+        paper  : of nets and other plans, "a4" or "letter"
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
@@ -53,7 +57,8 @@ class Result(Answer):
         from sketch2shape.writing import write_file
 
         target = Path(path)
-        data = encode_product(format or product_of(str(target)), self, {"ngons": ngons, "tolerance": tolerance})
+        options = {"ngons": ngons, "tolerance": tolerance, "paper": paper}
+        data = encode_product(format or product_of(str(target)), self, options)
         write_file(target, data, overwrite=True)
         return target
 

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
     from trimesh import Trimesh
 
+    from sketch2shape.export import PaperName
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solid(model.Solid):
@@ -49,14 +51,16 @@ class Solid(model.Solid):
         *,
         ngons: bool = False,
         tolerance: str | float | None = None,
+        paper: PaperName = "a4",
     ) -> Path:
         """Write the solid to a file, all or nothing, and return its path.
 
-        format : a mesh format of `sketch2shape.export.FORMATS`, "face.svg" or "face.dxf"; None takes it from the
+        format : a key of `sketch2shape.export.FORMATS` but for the drawings "svg" and "dxf"; None takes it from the
                  extension
         ngons  : in OBJ, write whole polygons as faces instead of triangles
         tolerance : in meshes, the largest distance of a facet from a curved side, as "0.1mm" or a number in the solid's
                  unit; None for one that looks smooth
+        paper  : of nets and other plans, "a4" or "letter"
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
@@ -65,7 +69,8 @@ class Solid(model.Solid):
 
         target = Path(path)
         chord = tolerance_of(tolerance, self.unit)
-        write_file(target, encode(self, format or format_of(target), ngons=ngons, tolerance=chord), overwrite=True)
+        data = encode(self, format or format_of(target), ngons=ngons, tolerance=chord, paper=paper)
+        write_file(target, data, overwrite=True)
         return target
 
 

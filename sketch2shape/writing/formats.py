@@ -28,7 +28,7 @@ class Format(NamedTuple):
     endings: tuple[str, ...]
 
 
-_SVG, _DXF, _PNG = "image/svg+xml", "image/vnd.dxf", "image/png"
+_SVG, _DXF, _PDF, _PNG = "image/svg+xml", "image/vnd.dxf", "application/pdf", "image/png"
 _PYTHON = "text/x-python"
 
 #: name of the format -> the kind of file; of kinds with the same ending the first is meant by it
@@ -44,6 +44,8 @@ FORMATS: dict[str, Format] = {
     "scad": Format("OpenSCAD program with named dimensions", "program", "application/x-openscad", ("scad",)),
     "build123d": Format("Python program for build123d with named dimensions", "program", _PYTHON, ("py",)),
     "cadquery": Format("Python program for CadQuery with named dimensions", "program", _PYTHON, ("py",)),
+    "net.svg": Format("the paper net, cut and fold lines on layers", "plan", _SVG, ("net.svg",)),
+    "net.pdf": Format("the paper net, to print", "plan", _PDF, ("net.pdf",)),
     "svg": Format("the cleaned drawing, visible and hidden lines in groups", "drawing", _SVG, ("svg",)),
     "dxf": Format("the cleaned drawing, visible and hidden lines on layers", "drawing", _DXF, ("dxf",)),
     "face.svg": Format("the true front face laid flat", "drawing", _SVG, ("face.svg",)),
