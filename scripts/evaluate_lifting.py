@@ -216,6 +216,27 @@ What no wireframe tells: which of its two faces is in front (it is seen from abo
 prism over a parallelogram, which two of its six sides are the parallelograms (each choice is a prism that gives this
 very drawing).
 
+## Arcs and points
+
+Circles in parallel planes all look like ellipses of one form, so one good arc tells how the face is held: its ratio
+is the cosine of the slant, its shorter axis runs along the connecting edges.
+
+1. **Points of arcs are points of the face.** Points of an ellipse where its tangents have fixed directions, and
+   points at fixed parts of an arc's length, are the same ones on both faces. They tell with the vertices how the
+   faces are related.
+2. **Roundness is evidence.** In each guess at the true face the points of an arc should lie on a circle; how far they
+   miss the best one, in pixels of the drawing, counts beside right angles and equal lengths. So short arcs say
+   little, long ones nearly all, and in an oblique drawing circles of the front stay circles.
+3. **A point lies over the middle.** The apex of a pyramid or a cone stands over the centroid of its base; that gives
+   the direction of the axis. A base of four sides is mostly a parallelogram in the drawing, and mostly a square or
+   another regular polygon in truth. A base with a level edge under a plumb height is drawn as textbooks do: it is a
+   rectangle that recedes.
+4. **What is in front.** A round or pointed object that stands is seen from above, so its upper end is the nearer one;
+   the base of a lying cone is the nearer end unless the apex is drawn lower.
+5. **Tidying.** Smooth joints, right angles, half and quarter turns become equations, then common centres and equal
+   radii; the face is the one that obeys them and moves least. If a point would have to move further than the noise
+   allows, fewer are asked for. Arcs are arcs of circles in any case.
+
 ## Twelve ambiguous drawings
 
 Made by `python scripts/lifting_gallery.py`. Sizes are width x height x depth, pixels.

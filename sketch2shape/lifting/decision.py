@@ -38,6 +38,7 @@ from sketch2shape.lifting.projection import Drawing
 from sketch2shape.lifting.reading import ParallelReading, Pose, read_parallel, refined_pose
 from sketch2shape.lifting.regularity import Relations, find_edge_relations, find_relations
 from sketch2shape.lifting.shape import Shape
+from sketch2shape.lifting.standing import standing_odds, standing_shape
 from sketch2shape.model import Floats, Ints
 
 #: log odds of kinds of drawing against an axonometric one of a prism, before anything is seen
@@ -54,6 +55,9 @@ _GIVEN = 1.0
 
 #: log odds that a degree of lean costs a prism over a parallelogram
 _LEAN = 0.06
+
+#: log odds of a pyramid drawn with its base facing the viewer
+_FACING_BASE = -2.0
 
 #: faces whose relation is this much less likely than the best cannot win by being regular, log odds
 _HOPELESS = 7.0
@@ -169,7 +173,7 @@ def _placed(pair: Drawing, order: Ints | None, toward: Floats) -> tuple[Drawing,
 def _faces(drawing: Drawing, order: Ints | None, *, given: bool) -> Iterator[_Faces]:
     """What this pair of faces may be: alike or of two sizes; and if they have four sides, parallelograms or not."""
     if drawing.pointed:
-        yield _pyramid(drawing)
+        yield from _pyramids(drawing)
         return
     skews = [None, _skew(drawing)] if drawing.is_box else [None]
     for skew in skews:
@@ -183,10 +187,17 @@ def _faces(drawing: Drawing, order: Ints | None, *, given: bool) -> Iterator[_Fa
             yield _explained(drawing, order, scaled, drawing.relation.scale, skew)
 
 
-def _pyramid(drawing: Drawing) -> _Faces:
-    """A face and a point over its middle."""
-    d = drawing.second[0] - drawing.middle(drawing.first)
-    return _Faces(drawing, drawing.noise, None, drawing.first, d, 0.0, 0.0, 0.0)
+def _pyramids(drawing: Drawing) -> Iterator[_Faces]:
+    """A face and a point over its middle; one with four sides also as the parallelogram that it mostly is."""
+    face = drawing.first
+    d = drawing.second[0] - drawing.middle(face)
+    four = drawing.sizes == [4] and drawing.bent is None
+    yield _Faces(drawing, drawing.noise, None, face, d, 0.0, 0.0, math.log(1.0 - _BOX) if four else 0.0)
+    if four:
+        bend = float(((face[0] - face[1] + face[2] - face[3]) ** 2).sum())
+        usual = 2.0 * math.log(max(0.5 * _BEND * drawing.diagonal / drawing.noise, 1.0))
+        odds = math.log(_BOX) + usual - 0.125 * bend / drawing.noise**2
+        yield _Faces(drawing, drawing.noise, None, _straightened(face), d, 0.0, 0.0, odds, straight=True)
 
 
 def _skew(drawing: Drawing) -> tuple[float, float]:
@@ -253,11 +264,18 @@ def _of_parallel(faces: _Faces, ratio: float | None) -> Iterator[Reading]:
     kind = fit if faces.taper == 1.0 else fit + faces.tapered
     bent = drawing.bent
     arcs = [faces.face[arc.rows] for arc in bent.arcs] if bent else []
-    for found in read_parallel(faces.face, faces.d, relations, faces.noise, wobble, aslant=faces.upright, arcs=arcs):
+    base = drawing.pointed and bent is None
+    if base and faces.straight:
+        yield from _standing(faces, kind, ratio)
+    for found in read_parallel(
+        faces.face, faces.d, relations, faces.noise, wobble, aslant=faces.upright, arcs=arcs, pyramid=base
+    ):
         if found.pose is not None:
             yield _axonometric(faces, replace(found, odds=kind + found.odds))
             continue
         given = found.odds - _leaning(faces, faces.face) + (_GIVEN if faces.straight and faces.order is None else 0.0)
+        if base:
+            given += _FACING_BASE
         yield from _oblique(faces, kind + given, ratio)
         if faces.facing > -math.inf:
             yield Reading("one-point", "perspective", fit + faces.facing + given, 1.0, lambda: _facing(faces))
@@ -292,6 +310,18 @@ def _oblique(faces: _Faces, odds: float, ratio: float | None) -> Iterator[Readin
         yield Reading(_named(name, faces), "oblique", odds + part, 1.0, partial(_made, faces, make))
 
 
+def _standing(faces: _Faces, kind: float, ratio: float | None) -> Iterator[Reading]:
+    """A pyramid that stands in an oblique drawing."""
+    told = standing_odds(faces.face, faces.d, faces.noise)
+    if told is None:
+        return
+    odds, level = told
+    ratios = {"oblique": (ratio, 1.0)} if ratio else {"cabinet": (CABINET, 0.7), "cavalier": (CAVALIER, 0.3)}
+    for name, (used, part) in ratios.items():
+        make = partial(standing_shape, faces.face, faces.d, level, used or CABINET, free=ratio is None)
+        yield Reading(f"standing, {name}", "oblique", kind + odds + math.log(part), 1.0, partial(_made, faces, make))
+
+
 def _made(faces: _Faces, make: Callable[[], Shape]) -> Shape:
     return faces.placed(make())
 
@@ -309,7 +339,7 @@ def _axonometric(faces: _Faces, found: ParallelReading) -> Reading:
 
 def _leaning(faces: _Faces, true: Floats) -> float:
     """Log odds that a true face (m, 2) costs for being a parallelogram that leans."""
-    return _LEAN * lean(true) if faces.straight and faces.taper == 1.0 else 0.0
+    return _LEAN * lean(true) if faces.straight and faces.taper in (0.0, 1.0) else 0.0
 
 
 def _named(name: str, faces: _Faces) -> str:

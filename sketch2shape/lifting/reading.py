@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
+from sketch2shape.lifting.evenness import Base, base_of, with_regular_base
 from sketch2shape.lifting.named_views import FREE, SLANTS, VIEWS, off_axis, triad_odds, view_odds
 from sketch2shape.lifting.oblique_cues import level_odds, steep_cost, usual_odds
 from sketch2shape.lifting.regularity import (
@@ -66,6 +67,7 @@ class StretchedFace:
     noise        : standard deviation of a vertex of the face, pixels
     rests        : (k,) weight of each edge direction as one that the object stands on, sum 1
     arcs         : its arcs, if it has some
+    base         : its one ring, if it is the base of a pyramid
     """
 
     relations: Relations
@@ -76,6 +78,7 @@ class StretchedFace:
     noise: float
     rests: Floats
     arcs: Arcs | None = None
+    base: Base | None = None
 
 
 @dataclass(frozen=True)
@@ -165,6 +168,7 @@ def read_parallel(
     *,
     aslant: bool = True,
     arcs: Sequence[Floats] = (),
+    pyramid: bool = False,
 ) -> list[ParallelReading]:
     """The ways to read the drawing with their log odds: oblique and axonometric, and each named view that it may be.
 
@@ -175,6 +179,7 @@ def read_parallel(
     wobble    : standard deviation of the direction of d, radians
     aslant    : may the face be foreshortened?
     arcs      : (k, 2) points along each arc of the face, pixels
+    pyramid   : is the face the base of a pyramid, its vertices all there is to it?
     """
     long = math.hypot(*d.tolist())
     t = d / long
@@ -187,8 +192,13 @@ def read_parallel(
     rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
     rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
     rests /= rests.sum() if len(rests) else 1.0
-    view = StretchedFace(relations, along, across, t, wobble, noise, rests, arcs_of(arcs, t, noise) if arcs else None)
-    regular = score(relations, found, turned, noise) + _roundness(view, trials)
+    view = StretchedFace(relations, along, across, t, wobble, noise, rests)
+    view = replace(
+        view,
+        arcs=arcs_of(arcs, t, noise) if arcs else None,
+        base=base_of(face, t, noise) if pyramid else None,
+    )
+    regular = _regularity(view, trials, found, turned)
     oblique = float(regular[0]) + _OBLIQUE_PRIOR + level_odds(relations, angle, spread)
     oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread) if len(angle) else 0.0
     oblique += usual_odds(t, wobble) - steep_cost(t, wobble, turned.angle[0, : len(spread)], spread)
@@ -244,7 +254,7 @@ def refined_pose(view: StretchedFace, pose: Pose) -> Pose:
     trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
     found = _stretched(view.along, view.across, trials)
     turned = bearings(view.relations, found, view.noise)
-    regular = score(view.relations, found, turned, view.noise) + _roundness(view, trials)
+    regular = _regularity(view, trials, found, turned)
     odds = regular[_NAMED:] + _pose_odds(view, trials, found, turned)
     odds = odds.reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
@@ -260,12 +270,14 @@ def _peak(at: Floats, odds: Floats, best: int) -> float:
     return float(at[best] + (0.5 * (left - right) / bend * (at[best + 1] - at[best]) if bend < 0.0 else 0.0))
 
 
-def _roundness(view: StretchedFace, trials: _Trials) -> Floats:
-    """(4 + h g,) log odds of the face's arcs being circles in each pose."""
-    still = np.zeros(len(trials.stretches))
-    if view.arcs is None:
-        return still
-    return still + roundness_odds(view.arcs, trials.stretches, trials.swung)
+def _regularity(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
+    """(4 + h g,) log odds of how regular the face is in each pose: its edges, its arcs, itself as a base."""
+    odds = score(view.relations, found, turned, view.noise)
+    if view.base is not None:
+        odds = with_regular_base(odds, view.base, trials.stretches, trials.swung)
+    if view.arcs is not None:
+        odds = odds + roundness_odds(view.arcs, trials.stretches, trials.swung)
+    return odds
 
 
 def _trials(wobble: float, slants: Floats, turns: Floats) -> _Trials:

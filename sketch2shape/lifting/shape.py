@@ -44,6 +44,7 @@ class Shape:
     map       : (2, 2) the linear part of drawing -> flat, row vectors
     sizes     : vertices of each ring
     free      : was the depth a mere default?
+    free_axis : row of the pose that the depth runs along
     noise     : standard deviation of a vertex of the face, pixels of the drawing
     evidence  : numbers for the report
     warnings  : what had to be assumed
@@ -63,6 +64,7 @@ class Shape:
     sizes: list[int]
     taper: float = 1.0
     free: bool = False
+    free_axis: int = 2
     noise: float = 0.0
     evidence: dict[str, Any] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()

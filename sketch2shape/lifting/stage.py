@@ -82,6 +82,8 @@ def _tidied(ways: list[Option], drawing: Drawing, options: LiftOptions) -> list[
         shape = _described(way, drawing, options)
         if shape.bent is not None:
             shape = exact_arcs(shape, regular=options.beautify)
+        elif shape.free_axis != 2:
+            pass  # it is made with right angles
         elif options.beautify and shape.family == "oblique":
             # readings that differ in depth alone share their face
             key = id(way.shape.flat), shape.taper
@@ -99,7 +101,7 @@ def _from_behind(drawing: Drawing, shape: Shape) -> bool:
 
     It is drawn below the smaller end where the object stands, and above it where it lies.
     """
-    if shape.taper >= 1.0 or not (drawing.pointed or drawing.bent):
+    if shape.taper >= 1.0 or shape.free_axis != 2 or not (drawing.pointed or drawing.bent):
         return False
     right, down = (drawing.second.mean(axis=0) - drawing.middle(drawing.first)).tolist()
     plumb = abs(right) <= _PLUMB * abs(down)
@@ -169,7 +171,8 @@ def _sized(shape: Shape, options: LiftOptions) -> _Sized:
         extremes = shape.boundary.extremes(looks)
     deep = int(np.abs(looks @ through).argmax())
     own = np.ptp(extremes @ looks.T, axis=0)
-    factors, warnings = measured(own, deep if shape.free else None, options, deep if shape.arcs else None)
+    loose = deep if shape.free_axis == 2 else int(np.abs(looks @ shape.pose[shape.free_axis]).argmax())
+    factors, warnings = measured(own, loose if shape.free else None, options, deep if shape.arcs else None)
     return _Sized(shape, vertices, looks, own, factors, (*shape.warnings, *warnings))
 
 
