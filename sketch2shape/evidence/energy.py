@@ -14,6 +14,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
+from sketch2shape.evidence.score import grown
 from sketch2shape.evidence.view import View, foreign_price
 from sketch2shape.evidence.visibility import edge_samples, hidden_depth
 from sketch2shape.geometry import homology, map_fits
@@ -158,6 +159,8 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     each = (lengths / n / view.unit)[:, None]
     place = np.arange(n)
     end = np.minimum(place, n - 1 - place) * (lengths / n)[:, None] < GAP * view.pen
+    # where an edge dives behind another it may end a little early
+    end |= grown(depth[None] >= 1, lengths[None], GAP * view.pen)[0]
     wanted = np.where(depth == 0, MISSING * each * np.where(end, GAP_PRICE, 1.0), 0.0)
     hidden = depth == 2
     every = nearest_edges(view.points, a, span)

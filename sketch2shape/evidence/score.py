@@ -110,7 +110,7 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     behind = _inked_part(near, hidden, lengths)
     style = _line_styles(behind, lengths)
     wire, dashed, removed = style == 0, style == 1, style == 2
-    wanted = wire[:, None, None] | ~_grown(depth >= 1, lengths, 5 * sheet.reach)
+    wanted = wire[:, None, None] | ~grown(depth >= 1, lengths, 5 * sheet.reach)
     support, weakest = _support(_inked_part(near, wanted, lengths), wanted.all(axis=2), lengths)
     dashes, faintest = _support(behind, hidden.all(axis=2), lengths)
     with_dashes = np.minimum(support, 0.6 * support + 0.4 * np.minimum(1.0, dashes / 0.45))
@@ -129,7 +129,7 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     return [Evidence(a, b, c, d, e, f) for a, b, c, d, e, f in zip(*figures, lines, drawn, strict=True)]
 
 
-def _grown(hidden: Bools, lengths: Floats, margin: float) -> Bools:
+def grown(hidden: Bools, lengths: Floats, margin: float) -> Bools:
     """Hidden samples and those within margin pixels of one: where a line dives behind a contour, nobody can say."""
     n = hidden.shape[2]
     count = np.ceil(margin * n / (lengths + 1e-9))[..., None]

@@ -16,6 +16,7 @@ from sketch2shape.hypotheses.hypothesis import (
 from sketch2shape.hypotheses.opaque import caps
 from sketch2shape.hypotheses.regions import Region, enclosed_regions, without_edge
 from sketch2shape.hypotheses.unions import united
+from sketch2shape.hypotheses.walks import walked
 from sketch2shape.hypotheses.wireframe import CornerGraph
 
 __all__ = [
@@ -32,6 +33,7 @@ __all__ = [
     "split",
     "stack",
     "united",
+    "walked",
     "which_plausible",
     "without_edge",
 ]

@@ -24,8 +24,6 @@ LIKELY_MAPS = 400
 """Maps looked at closely, those that carry the most rungs."""
 MOST_RUNGS = 800
 """A scribble, in which nearly every two corners have ink between them, is no wireframe; drawings have a few hundred."""
-LOOSE = 0.35
-"""Most that neighbouring rungs of a careless hand differ, as a fraction of their length."""
 RUNGS_OF_A_CORNER = 5
 """Where there are very many corners, so many rungs to a corner are allowed: a vertex of a wireframe has three."""
 
@@ -73,46 +71,6 @@ def ladders(graph: CornerGraph, most: int = 12) -> Iterator[Ladder]:
             if key not in seen:
                 seen.add(key)
                 yield ladder
-
-
-def loose_ladders(graph: CornerGraph, most: int = 6) -> Iterator[Ladder]:
-    """Ladders of a careless hand: rungs roughly alike, no map common to all; the richest first.
-
-    Neighbouring rungs may differ by a third of their length, and the edges between them by as much.
-    """
-    rungs = np.argwhere(graph.inked)
-    if not 6 <= len(rungs) <= MOST_RUNGS:
-        return
-    links = _links(graph, rungs)
-    links &= _roughly_alike(graph, rungs)
-    way = graph.points[rungs[:, 1]] - graph.points[rungs[:, 0]]
-    length = np.hypot(way[:, 0], way[:, 1])
-    seeds = np.flatnonzero((links.sum(axis=1) >= 2) & (rungs[:, 0] < rungs[:, 1]))
-    apart = np.hypot(*(way[seeds, None] - way[None]).transpose(2, 0, 1))
-    mine = _pruned(apart <= LOOSE * length[seeds, None], links)
-    corners = [len(set(rungs[own, 0].tolist())) for own in mine]
-    seen: set[bytes] = set()
-    for k in np.argsort(-np.array(corners, int), kind="stable")[: 4 * most]:
-        index = np.flatnonzero(mine[k])
-        key = mine[k].tobytes()
-        if corners[k] >= 3 and key not in seen and len(seen) < most:
-            seen.add(key)
-            yield Ladder(homology.translation(way[seeds[k]][None])[0], rungs[index], links[np.ix_(index, index)])
-
-
-def _roughly_alike(graph: CornerGraph, rungs: Ints) -> Bools:
-    """(m, m): whether two rungs are alike, and the edges between their ends too."""
-    p, q = graph.points[rungs[:, 0]], graph.points[rungs[:, 1]]
-    return np.asarray(_close(q[:, None] - p[:, None], q[None] - p[None]) & _close(p[:, None] - p, q[:, None] - q))
-
-
-def _close(u: Floats, v: Floats) -> Bools:
-    """Whether vectors (..., 2) differ by no more than a third of the longer one."""
-    off, longer = (
-        np.hypot(*np.moveaxis(u - v, -1, 0)),
-        np.maximum(np.hypot(*np.moveaxis(u, -1, 0)), np.hypot(*np.moveaxis(v, -1, 0))),
-    )
-    return np.asarray(off <= LOOSE * longer)
 
 
 def _links(graph: CornerGraph, rungs: Ints) -> Bools:

@@ -16,10 +16,19 @@ import numpy as np
 
 from sketch2shape.evidence import Evidence, Sheet, sheet_for
 from sketch2shape.geometry import thinned
-from sketch2shape.hypotheses import Rings, opaque, united, wireframe
+from sketch2shape.hypotheses import Rings, opaque, united, walked, wireframe
 from sketch2shape.ink import Group
 from sketch2shape.search.shortlist import ENOUGH, Judged, shortlist
-from sketch2shape.search.tolerances import CLOSE, Round, Traced, corner_graph, in_threes, rounds_for, vertex_candidates
+from sketch2shape.search.tolerances import (
+    CLOSE,
+    ROUGHLY,
+    Round,
+    Traced,
+    corner_graph,
+    in_threes,
+    rounds_for,
+    vertex_candidates,
+)
 from sketch2shape.strokes import Skeleton, crossed
 
 GOOD = 0.98
@@ -36,6 +45,8 @@ OUTLINED = 400
 """Pixels of the skeleton that tell how narrow the ink is."""
 STEADY = 0.4
 """Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
+BENT = 2.5
+"""Wobble of finely traced strokes over that of a close look from which on lines have bends that no wobble makes."""
 ROUGH = 0.9
 """Score that the roughest round has to reach: so much tolerance finds something in any tangle."""
 CONTENT = 0.95
@@ -135,13 +146,14 @@ class _Look:
                 found = self._attempt(shortlist(hypotheses, self.sheet, found.shortlist))
         return self._with_wires(found.shortlist) if is_opaque and found.score < GOOD else found
 
-    def second(self) -> Attempt:
+    def second(self, with_unions: bool) -> Attempt:
         """With what a careless hand or foreign lines may have hidden from the first look."""
-        pen = self.traced.skeleton.pen_width
-        ladders = wireframe.loose_ladders(self.graph)
-        found = shortlist(wire_hypotheses(self.graph, self.steps, ladders), self.sheet, [])
-        unions = united(self.traced.regions, pen, self.round.trace)
-        found = shortlist(opaque.united_caps(self.graph, unions, pen), self.sheet, found)
+        skeleton = self.traced.skeleton
+        graph = corner_graph(skeleton, self.graph.points, self.round.reach, ROUGHLY)
+        found = shortlist(walked(graph, self.sheet.size, 1.5 * skeleton.pen_width), self.sheet, [])
+        if with_unions:
+            unions = united(self.traced.regions, skeleton.pen_width, self.round.trace)
+            found = shortlist(opaque.united_caps(self.graph, unions, skeleton.pen_width), self.sheet, found)
         return self._attempt(found)
 
     def _with_wires(self, known: list[Judged]) -> Attempt:
@@ -176,7 +188,12 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     """Round after round, but for those that promise nothing new."""
     steps = iter(range(MOST_STEPS_IN_ALL))
     looks = list(_looks(group, skeleton, steps))
+    close = _Look(len(looks), CLOSE, Traced(group, skeleton, CLOSE.trace), steps)
     found: list[Attempt] = []
+    is_bent = bool(looks) and not looks[0].is_steady and close.traced.wobble < looks[0].traced.wobble / BENT
+    if is_bent:
+        found.append(close.attempt())
+        yield found[0]
     early = _early(looks)
     for look in early:
         yield replace(look.wires, is_whole=False)
@@ -191,16 +208,19 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
         found.append(attempt)
         if look not in early or attempt is not look.wires:
             yield attempt
-    traced = Traced(group, skeleton, CLOSE.trace)
-    if found and max(a.score for a in found) < CONTENT and traced.wobble < STEADY:
-        yield _Look(len(found), CLOSE, traced, steps).attempt()
+    if found and not is_bent and max(a.score for a in found) < CONTENT and close.traced.wobble < STEADY:
+        yield close.attempt()
 
 
 def second_attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     """A second look at some of the rounds, for drawings that no round has explained."""
     looks = list(_looks(group, skeleton, iter(range(MOST_STEPS_IN_ALL))))
-    for look in looks[1:4:2] or looks:
-        yield look.second()
+    united = looks[1:4:2] or looks
+    for look in united:
+        yield look.second(True)
+    for look in looks:
+        if look not in united:
+            yield look.second(False)
 
 
 def _early(looks: list[_Look]) -> list[_Look]:

@@ -54,6 +54,8 @@ TIE = 3.0
 """Nats that are no reason to prefer a later hypothesis."""
 COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
+MAIN = 0.5
+"""Part of the ink from which on an answer that is drawn whole tells the noise of the hand, whatever else is drawn."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -173,8 +175,7 @@ def _best(found: list[Found]) -> Found | None:
     """The hypothesis of least energy, all under the noise of one hand."""
     if not found:
         return None
-    top = max(f.evidence.score for f in found)
-    hand = min(f.noise for f in found if f.evidence.score >= top - COMPARABLE)
+    hand = _hand(found)
     priced = [replace(f, energy=f.compared.energy(hand)) for f in found if f.compared is not None]
     best = priced[0]
     for other in priced[1:]:
@@ -183,6 +184,17 @@ def _best(found: list[Found]) -> Found | None:
             best = other
     rivals = [_total(f) for f in priced if not _is_same(f, best)]
     return replace(best, gap=min(rivals, default=_total(best) + WIDE_GAP) - _total(best))
+
+
+def _hand(found: list[Found]) -> float:
+    """Noise of the hand that drew, pixels: the least under which an answer as good as any, or one all drawn, holds."""
+    top = max(f.evidence.score for f in found)
+    return min(f.noise for f in found if f.evidence.score >= top - COMPARABLE or _is_all_drawn(f.evidence))
+
+
+def _is_all_drawn(evidence: Evidence) -> bool:
+    """Whether all that should have been drawn has, and it is a good part of the drawing."""
+    return evidence.support > 0.97 and evidence.weakest > 0.8 and evidence.explained > MAIN
 
 
 def _total(found: Found) -> float:

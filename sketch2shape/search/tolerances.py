@@ -26,6 +26,8 @@ MOST_POINTS = 1500
 """Pixels of the skeleton that tell how much a hand wobbles."""
 AS_MUCH = 0.9
 """Part of the area enclosed by all ink that larger pieces enclose if dashes are none of the outlines."""
+COVERED, ROUGHLY = 0.9, 0.75
+"""Part of the way between two corners that an edge inks, and one of a careless hand, whose corners lie off its ends."""
 IN_THREES = 0.75
 """Part of all stroke ends that meet in threes from which on a drawing is a wireframe; in a scribble it is a tenth."""
 
@@ -84,11 +86,14 @@ def is_wireframe(corners: Corners) -> bool:
     return in_threes(corners) > IN_THREES
 
 
-def corner_graph(skeleton: Skeleton, points: Floats, reach: float) -> CornerGraph:
-    """Vertex candidates (k, 2), and which of them have ink between them, at most reach pixels off."""
+def corner_graph(skeleton: Skeleton, points: Floats, reach: float, least: float = COVERED) -> CornerGraph:
+    """Vertex candidates (k, 2), and which of them have ink between them, at most reach pixels off.
+
+    least : 0..1, how much of the way between two has to be inked
+    """
     k = len(points)
     i, j = np.triu_indices(k, 1)
-    covered = are_covered(skeleton.near(reach), points[i], points[j], 0.9)
+    covered = are_covered(skeleton.near(reach), points[i], points[j], least)
     apart = np.linalg.norm(points[i] - points[j], axis=1) > 2 * skeleton.pen_width
     inked = np.zeros((k, k), bool)
     inked[i, j] = inked[j, i] = covered & apart

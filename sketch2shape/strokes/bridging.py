@@ -6,31 +6,29 @@ import cv2
 import numpy as np
 
 from sketch2shape.model import Bools
-from sketch2shape.strokes.junctions import join_ends
+from sketch2shape.strokes.junctions import Corners, join_ends
 from sketch2shape.strokes.skeleton import Skeleton
-from sketch2shape.strokes.tracing import trace_skeleton
+from sketch2shape.strokes.tracing import Strokes, trace_skeleton
 
 GAPS = 4.0
 """Pens by which strokes may stop short of their corner: what people leave on purpose."""
 LEAST_LOOSE = 6
 """Loose ends of the skeleton below which strokes meet: one that meets no other has two."""
 LEAST_FREE = 0.3
-"""Fraction of all stroke ends that meet no other from which on a drawing has gaps at its corners."""
+"""Fraction of all stroke ends that stop short of any other from which on a drawing has gaps at its corners."""
 
 
 def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
     """(h, w) bool, the ink with strokes drawn on to where their lines meet; None if few strokes stop short."""
-    if _loose_ends(skeleton) < LEAST_LOOSE:
+    if np.count_nonzero(_loose_ends(skeleton)) < LEAST_LOOSE:
         return None
     strokes = trace_skeleton(skeleton, tolerance, solid)
     if not len(strokes.ends):
         return None
     pen = skeleton.pen_width
-    tight = join_ends(strokes, pen)
-    free = (tight.degree[tight.strokes] < 2) & ~tight.on[tight.strokes]
-    if free.mean() < LEAST_FREE:
-        return None
     wide = join_ends(strokes, GAPS * pen)
+    if _short(skeleton, strokes, wide).mean() < LEAST_FREE:
+        return None
     drawn = solid.astype(np.uint8)
     thickness = max(1, round(pen))
     for (k, i), corner in np.ndenumerate(wide.strokes):
@@ -40,7 +38,19 @@ def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
     return drawn.astype(bool)
 
 
-def _loose_ends(skeleton: Skeleton) -> int:
-    """Pixels of the skeleton with a single neighbour."""
+def _short(skeleton: Skeleton, strokes: Strokes, corners: Corners) -> Bools:
+    """(k, 2) bool, ends of strokes where ink ends, short of the corner that they mean or of any."""
+    pen, ends = skeleton.pen_width, strokes.ends
+    out = np.stack([ends[:, 0] - ends[:, 1], ends[:, 1] - ends[:, 0]], axis=1)
+    out /= np.linalg.norm(out, axis=2, keepdims=True) + 1e-9
+    ahead = ((corners.points[corners.strokes] - ends) * out).sum(axis=2)
+    meets = corners.degree[corners.strokes] >= 2
+    at = np.argwhere(_loose_ends(skeleton))[:, ::-1]
+    near = np.linalg.norm(ends[:, :, None] - at, axis=3).min(axis=2, initial=np.inf) <= pen + strokes.tolerance
+    return np.asarray(near & np.where(meets, ahead > pen, ~corners.on[corners.strokes]))
+
+
+def _loose_ends(skeleton: Skeleton) -> Bools:
+    """(h, w) bool, pixels of the skeleton with a single neighbour."""
     around = cv2.boxFilter(skeleton.mask, cv2.CV_8U, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT)
-    return int(np.count_nonzero(skeleton.mask & (around == 2)))
+    return np.asarray(skeleton.mask & (around == 2), np.bool_)

@@ -38,3 +38,14 @@ def test_a_drawing_whose_strokes_meet_gets_no_bridges():
 def test_a_box_with_gaps_is_found():
     picture = short_of_corners(SQUARE, SQUARE + DEPTH, 10.0)
     assert same_object(s2s.reconstruct(picture).objects[0], SQUARE, SQUARE + DEPTH, 5.0)
+
+
+def test_gaps_that_corners_bridge_are_closed_all_the_same():
+    """Ends so close to each other that they make a corner, with no ink between."""
+    picture = short_of_corners(SQUARE, SQUARE + DEPTH, 6.0)
+    assert bridges(picture) is not None
+    assert same_object(s2s.reconstruct(picture).objects[0], SQUARE, SQUARE + DEPTH, 5.0)
+
+
+def test_strokes_that_run_on_past_their_corners_are_not_short():
+    assert bridges(short_of_corners(SQUARE, SQUARE + DEPTH, -14.0)) is None
