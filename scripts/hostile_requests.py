@@ -57,7 +57,7 @@ def wrong_host(rng: random.Random) -> Attack:
     host = rng.choice(
         ["evil.example", "127.0.0.1.evil.example", "localhost@evil.example", "127.0.0.1:80:80", " ", "[::2]"]
     )
-    path = rng.choice(["/", "/app.js", "/examples", "/api/lift"])
+    path = rng.choice(["/", "/app.js", "/about", "/api/lift"])
     return Attack("wrong Host", http(rng.choice(["GET", "POST"]), path, {}, host=host), frozenset({421, 400}))
 
 

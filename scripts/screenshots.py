@@ -1,4 +1,4 @@
-"""Take the screenshots of docs/ui.md: drives the real page in Chromium.
+"""Take the screenshots of docs/ui.md: drives the real page in Chromium, in all its states, on three screens.
 
 python scripts/screenshots.py [FOLDER]      (default: docs/pictures)
 """
@@ -7,86 +7,114 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
+
+import numpy as np
+from PIL import Image
 
 REPOSITORY = Path(__file__).parents[1]
 sys.path.insert(0, str(REPOSITORY / "tests" / "ui"))
+sys.path.insert(0, str(REPOSITORY / "scripts"))
 
 from chromium import start_browser  # noqa: E402
-from selenium.webdriver import ActionChains, Chrome  # noqa: E402
-from selenium.webdriver.common.by import By  # noqa: E402
-from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
+from draw_by_hand import Screen, by_hand, settled, show_screen, stroke, strokes_of  # noqa: E402
+from selenium.webdriver import Chrome  # noqa: E402
 from server import start_app  # noqa: E402
 
-FRONT = [(-190, -60), (-90, -60), (-90, 30), (30, 30), (30, 130), (-190, 130)]
-DEPTH = (110, -75)
+#: name in the file -> screen
+SCREENS = {
+    "desktop": Screen("", 1366, 768, False, 2.0),
+    "tablet": Screen("", 820, 1180, True, 2.0),
+    "phone": Screen("", 390, 844, True, 2.0),
+}
+COLOURS = 192
+"""Colours of a screenshot: enough for flat surfaces and small files."""
 
 
 def until(page: Chrome, words: str) -> None:
-    end = time.monotonic() + 60
-    while words not in page.find_element(By.ID, "message").text:
+    """Wait until the page says so."""
+    end = time.monotonic() + 90
+    while words not in str(page.execute_script("return document.getElementById('message').textContent")):
         if time.monotonic() > end:
             raise TimeoutError(f"the page does not say {words!r}")
         time.sleep(0.1)
-    time.sleep(0.5)
+    time.sleep(1.2)
 
 
-def example(page: Chrome, name: str) -> None:
-    page.execute_script(
-        "const s = document.getElementById('examples'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))",
-        name,
-    )
+def click(page: Chrome, css: str) -> None:
+    page.execute_script("document.querySelector(arguments[0]).click()", css)
+
+
+def start(page: Chrome, _screen: Screen) -> None:
+    loaded = "return document.querySelectorAll('#gallery img').length > 5"
+    while not page.execute_script(loaded):
+        time.sleep(0.1)
+    time.sleep(1.5)
+
+
+def draw(page: Chrome, screen: Screen, name: str, count: int) -> None:
+    """The first strokes of a solid, by a steady hand."""
+    click(page, "#start-draw")
+    time.sleep(0.3)
+    box = "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]"
+    x, y, width, height = page.execute_script(box)
+    rng = np.random.default_rng(3)
+    for path in strokes_of(name, 0.92 * min(width, height))[0][:count]:
+        stroke(page, by_hand(path, screen.error, rng) + (x + 10, y + 8), screen.touch)
+    settled(page)
+    time.sleep(1.5)
+
+
+def drawing(page: Chrome, screen: Screen) -> None:
+    draw(page, screen, "L", 14)
+
+
+def drawn(page: Chrome, screen: Screen) -> None:
+    draw(page, screen, "L", 99)
+
+
+def corners(page: Chrome, screen: Screen) -> None:
+    draw(page, screen, "house", 99)
+    click(page, "#adjust")
+    time.sleep(0.6)
+
+
+def found(page: Chrome, screen: Screen) -> None:
+    start(page, screen)
+    click(page, "#gallery li:nth-child(2) button")
     until(page, "Found the object")
 
 
-def draw(page: Chrome) -> None:
-    """An L on the drawing pad: front, back, and the edges between them."""
-    page.find_element(By.ID, "draw").click()
-    pad = page.find_element(By.ID, "pad")
-    for i, (x, y) in enumerate(FRONT):
-        u, v = FRONT[(i + 1) % len(FRONT)]
-        for dx, dy in ((0, 0), DEPTH):
-            stroke(page, pad, (x + dx, y + dy), (u + dx, v + dy))
-        stroke(page, pad, (x, y), (x + DEPTH[0], y + DEPTH[1]))
+def take(page: Chrome, screen: Screen) -> None:
+    found(page, screen)
+    click(page, "#download")
+    time.sleep(0.5)
 
 
-def stroke(page: Chrome, pad: object, a: tuple[int, int], b: tuple[int, int]) -> None:
-    chain = ActionChains(page, duration=10).move_to_element_with_offset(pad, *a).click_and_hold()
-    chain.move_to_element_with_offset(pad, *b).release().perform()
-
-
-def whole_page(page: Chrome, file: Path) -> None:
-    """A screenshot of the page from top to bottom."""
-    width = page.execute_script("return innerWidth")
-    height = page.execute_script("return document.documentElement.scrollHeight")
-    frame = page.execute_script("return outerHeight - innerHeight")
-    before = page.get_window_size()
-    page.set_window_size(before["width"], height + frame)
-    time.sleep(0.6)
-    page.save_screenshot(str(file))
-    page.set_window_size(before["width"], before["height"])
-    print(f"{file.name}: {width} x {height}")
+STATES: dict[str, Callable[[Chrome, Screen], None]] = {
+    "start": start, "drawing": drawing, "drawn": drawn, "corners": corners, "found": found, "take": take,
+}  # fmt: skip
 
 
 def main(folder: Path) -> None:
     with start_app() as address, start_browser() as page:
-        page.set_window_size(1400, 940)
-        page.get(address)
-        loaded = "const i = document.images; return i.length > 5 && [...i].every(p => p.complete)"
-        WebDriverWait(page, 60).until(lambda p: p.execute_script(loaded))
-        page.save_screenshot(str(folder / "ui-start.png"))
-        example(page, "isometric")
-        page.find_element(By.ID, "size-value").send_keys("60")
-        until(page, "follows")
-        whole_page(page, folder / "ui-found.png")
-        draw(page)
-        page.save_screenshot(str(folder / "ui-draw.png"))
-        page.find_element(By.ID, "make").click()
-        until(page, "Found the object")
-        page.save_screenshot(str(folder / "ui-drawn.png"))
-        page.set_window_size(430, 900)
-        example(page, "photo")
-        page.save_screenshot(str(folder / "ui-narrow.png"))
+        for place, screen in SCREENS.items():
+            show_screen(page, screen)
+            for state, reach in STATES.items():
+                dark = "dark" if state == "corners" else "light"
+                media = {"features": [{"name": "prefers-color-scheme", "value": dark}]}
+                page.execute_cdp_cmd("Emulation.setEmulatedMedia", media)
+                page.get("about:blank")
+                page.get(address)
+                page.execute_async_script(
+                    "const d = arguments[0], t = () => window.timings ? d() : setTimeout(t, 50); t()"
+                )
+                reach(page, screen)
+                file = folder / f"ui-{state}-{place}.png"
+                page.save_screenshot(str(file))
+                Image.open(file).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(file, optimize=True)
+                print(file.name)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ The file is JSON. For one picture:
     {"schema": "sketch2shape-corrections/1",
      "objects": [{"f1": [[x, y], ...], "f2": [[x, y], ...],        ring order, f1[i] joins f2[i], pixels of the picture
                   "holes": [{"f1": [...], "f2": [...]}],
-                  "projection": "axonometric", "width": "40mm"}]}
+                  "projection": "axonometric", "reading": 2, "width": "40mm"}]}
 
 `"arcs"`, in the words of a report, tell which edges are curved (`"points"` along them suffice; those of "f2" may be
 left out, but for whole ellipses); "f2" of one vertex is the point of a pyramid or a cone.
@@ -36,13 +36,14 @@ SCHEMA = "sketch2shape-corrections/1"
 
 _UNTANGLE = "vertices in ring order, none on another, no edges that cross"
 _MOST_VERTICES, _MOST_OBJECTS, _FARTHEST = 2000, 200, 1e6
+_MOST_READINGS = 100
 _FAMILIES = ("auto", "oblique", "axonometric", "perspective")
 _SIZES = ("width", "height", "depth")
 #: what a report says of an object beyond what can be corrected
 _FINDINGS = frozenset(
     {"silhouettes", "shape", "edges", "confidence", "solid", "alternatives", "lines", "connectors", "noise", "f2_drawn"}
 )
-_OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "arcs", "projection", *_SIZES})
+_OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "arcs", "projection", "reading", *_SIZES})
 
 
 @dataclass(frozen=True)
@@ -52,17 +53,21 @@ class ObjectCorrection:
     shape      : the object's faces as given by hand, None to keep those found
     projection : its projection, "auto" to tell it from the drawing
     sizes      : real "width", "height", "depth" by name, such as "40mm" or a number
+    reading    : 1 for the likeliest solid that the drawing may be of, 2 for the next; None where nothing was said
     """
 
     shape: TwoFaceObject | None = None
     projection: Literal["auto", "oblique", "axonometric", "perspective"] = "auto"
     sizes: Mapping[str, str | float] = field(default_factory=dict)
+    reading: int | None = None
 
     def options(self, base: LiftOptions) -> LiftOptions:
         """The lift options `base`, with what this correction says put in their place."""
         changes: dict[str, Any] = dict(self.sizes)
         if self.projection != "auto":
             changes["projection"] = self.projection
+        if self.reading is not None:
+            changes["reading"] = self.reading
         return replace(base, **changes)
 
 
@@ -156,7 +161,8 @@ def _object(data: Any, where: str) -> ObjectCorrection:
     if "f1" in entry:
         points = points_from(entry["vertices"], f"{where}, vertices") if "vertices" in entry else None
         shape = _faces(entry, points, where)
-    return ObjectCorrection(shape, _projection(entry.get("projection", "auto"), where), _sizes(entry, where))
+    projection = _projection(entry.get("projection", "auto"), where)
+    return ObjectCorrection(shape, projection, _sizes(entry, where), _reading(entry.get("reading"), where))
 
 
 def _faces(entry: Mapping[str, Any], points: Floats | None, where: str) -> TwoFaceObject:
@@ -247,6 +253,12 @@ def _projection(data: Any, where: str) -> Literal["auto", "oblique", "axonometri
     if family not in _FAMILIES:
         raise _wrong(f"{where}: the projection must be one of {', '.join(_FAMILIES)}")
     return cast(Literal["auto", "oblique", "axonometric", "perspective"], family)
+
+
+def _reading(data: Any, where: str) -> int | None:
+    if data is not None and not (type(data) is int and 1 <= data <= _MOST_READINGS):
+        raise _wrong(f"{where}: the reading must be a number from 1 to {_MOST_READINGS}")
+    return data
 
 
 def _sizes(entry: Mapping[str, Any], where: str) -> dict[str, str | float]:

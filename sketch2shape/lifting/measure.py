@@ -14,6 +14,9 @@ _DIFFERENT = 0.02
 
 _NAMES = ("width", "height", "depth")
 
+#: how the warning of a size that the drawing leaves free begins
+_LEFT_FREE = "the drawing leaves the {} free"
+
 
 def measured(own: Floats, free: int | None, options: LiftOptions, axis: int | None = None) -> tuple[Floats, list[str]]:
     """(3,) factors for width, height and depth that give the sizes asked for, and what is to be said about them.
@@ -72,4 +75,10 @@ def _contradictions(factors: Floats, fixed: Sequence[int]) -> list[str]:
 def _assumed(sizes: Floats, free: int | None, options: LiftOptions) -> list[str]:
     if free is None:
         return []
-    return [f"the drawing leaves the {_NAMES[free]} free: {sizes[free]:.4g} {options.solid_unit} is assumed"]
+    return [f"{_LEFT_FREE.format(_NAMES[free])}: {sizes[free]:.4g} {options.solid_unit} is assumed"]
+
+
+def free_size(warnings: Sequence[str]) -> str | None:
+    """The size, "width", "height" or "depth", that a solid with these warnings has by assumption only."""
+    said = (name for name in _NAMES for w in warnings if w.startswith(_LEFT_FREE.format(name)))
+    return next(said, None)

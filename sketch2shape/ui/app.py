@@ -6,7 +6,6 @@ It keeps nothing of what it is sent.
 from __future__ import annotations
 
 import json
-from base64 import b64decode
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from functools import cache
@@ -27,8 +26,15 @@ from sketch2shape.ui.answers import in_plain_words, plain_refusal
 from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.ui.guard import Guard, Refusal, read_body
 from sketch2shape.ui.hosts import LOCAL_NAMES
+from sketch2shape.ui.offers import offered_formats, readable_extras
 from sketch2shape.ui.openapi import VECTOR_KINDS
 from sketch2shape.ui.workers import WorkerPool, Workers
+
+PAGE_MODULES = (
+    "app", "camera", "editor", "folder", "geometry", "history", "keep", "marks", "pad", "readings", "server", "shape",
+    "sizes", "stage", "take", "tidy", "words",
+)  # fmt: skip
+"""Scripts of the page, which load each other."""
 
 _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, media type: nothing else is served
     "/": ("sketch2shape.ui", "page/index.html", "text/html; charset=utf-8"),
@@ -36,8 +42,7 @@ _PAGE_FILES: dict[str, tuple[str, str, str]] = {  # address -> package, file, me
     "/icon.svg": ("sketch2shape.ui", "page/icon.svg", "image/svg+xml"),
     "/viewer.js": ("sketch2shape.pictures", "viewer.js", "text/javascript; charset=utf-8"),
     **{
-        f"/{name}.js": ("sketch2shape.ui", f"page/{name}.js", "text/javascript; charset=utf-8")
-        for name in ("app", "editor", "history", "server", "shape", "sketchpad")
+        f"/{name}.js": ("sketch2shape.ui", f"page/{name}.js", "text/javascript; charset=utf-8") for name in PAGE_MODULES
     },
 }
 
@@ -62,10 +67,13 @@ def create_app(
     service = _Service(workers, max_upload, seconds)
     routes = [Route(address, _page_file, methods=["GET"]) for address in _PAGE_FILES]
     routes += [
-        Route("/examples", _examples, methods=["GET"]),
+        Route("/about", service.about, methods=["GET"]),
+        Route("/queue", service.queue, methods=["GET"]),
         Route("/examples/{name}.png", _example, methods=["GET"]),
         Route("/api/reconstruct", service.reconstruct, methods=["POST"]),
+        Route("/api/sketch", service.sketch, methods=["POST"]),
         Route("/api/lift", service.lift, methods=["POST"]),
+        Route("/api/readings", service.readings, methods=["POST"]),
         Route("/api/connect", service.connect, methods=["POST"]),
         Route("/api/stages", service.stages, methods=["POST"]),
         Route("/api/export/{form}", service.export, methods=["POST"]),
@@ -107,8 +115,33 @@ class _Service:
         """Picture bytes in; objects, solids and stages out."""
         data = await read_body(request, _PICTURE_KINDS, self._max_upload)
         name = unquote(request.headers.get("x-name", ""))[:200] or "drawing"
-        found = await self.workers.run(jobs.reconstruct_picture, data, name, seconds=self._seconds)
+        page = request.headers.get("x-page", "0")
+        number = int(page) if page.isdecimal() and len(page) < 6 else 0
+        found = await self.workers.run(jobs.reconstruct_picture, data, name, number, seconds=self._seconds)
         return JSONResponse(found)
+
+    async def about(self, _request: Request) -> Response:
+        """What the page offers: examples, formats, kinds of files that can be read here, the largest upload."""
+        listed = [{"name": name, "title": example.title} for name, example in EXAMPLES.items()]
+        offers = {"formats": offered_formats(), "reads": readable_extras(), "most": self._max_upload}
+        return JSONResponse({"examples": listed, **offers, "version": __version__})
+
+    async def queue(self, _request: Request) -> Response:
+        """How much work waits."""
+        return JSONResponse({"waiting": self.workers.waiting})
+
+    @in_plain_words
+    async def sketch(self, request: Request) -> Response:
+        """Strokes in; objects and solids out."""
+        data = await _read_json(request, _MOST_JSON)
+        return JSONResponse(await self.workers.run(jobs.reconstruct_sketch, data, seconds=_LIFT_SECONDS))
+
+    @in_plain_words
+    async def readings(self, request: Request) -> Response:
+        """{"corrections": ..., "object": number} in; the solids it may be of out."""
+        data = await _read_json(request, _MOST_JSON)
+        asked = data.get("corrections"), data.get("object")
+        return JSONResponse({"readings": await self.workers.run(jobs.other_readings, *asked, seconds=_LIFT_SECONDS)})
 
     @in_plain_words
     async def lift(self, request: Request) -> Response:
@@ -127,18 +160,15 @@ class _Service:
     async def stages(self, request: Request) -> Response:
         """{"picture": base64, "corrections": ...} in, the stages' pictures out."""
         data = await _read_json(request, self._max_upload * 4 // 3 + _MOST_JSON)
-        try:
-            picture = b64decode(data["picture"], validate=True)
-        except (KeyError, TypeError, ValueError) as error:
-            raise Refusal(400, "the request holds no picture") from error
+        picture = jobs.picture_bytes(data.get("picture"))
         found = await self.workers.run(jobs.show_stages, picture, data.get("corrections"), seconds=self._seconds)
         return JSONResponse(found)
 
     @in_plain_words
     async def export(self, request: Request) -> Response:
-        """Corrections in, a mesh file out."""
-        data = await _read_json(request, _MOST_JSON)
-        made = await self.workers.run(jobs.export_corrections, data, request.path_params["form"], seconds=_LIFT_SECONDS)
+        """Corrections in, a file out."""
+        data = await _read_json(request, self._max_upload * 4 // 3 + _MOST_JSON)
+        made = await self.workers.run(jobs.export_corrections, data, request.path_params["form"], seconds=self._seconds)
         return Response(made, media_type="application/octet-stream")
 
 
@@ -162,11 +192,6 @@ def _content(package: str, name: str) -> bytes:
 async def _page_file(request: Request) -> Response:
     package, name, kind = _PAGE_FILES[request.url.path]
     return Response(_content(package, name), media_type=kind)
-
-
-async def _examples(_request: Request) -> Response:
-    listed = [{"name": name, "title": example.title} for name, example in EXAMPLES.items()]
-    return JSONResponse({"examples": listed, "version": __version__})
 
 
 async def _example(request: Request) -> Response:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from base64 import b64decode
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from sketch2shape.corrections import corrected, corrections_from, points_from
+from sketch2shape.corrections import Corrections, corrected, corrections_from, points_from
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.model import Answer, Floats, Picture
+from sketch2shape.lifting import LiftOptions, lift
+from sketch2shape.model import Answer, FacePair, Floats, Picture, TwoFaceObject
 from sketch2shape.pictures.canvas import Pixels, encode_jpeg, encode_png, fit
 from sketch2shape.pictures.stages import stage_panels
-from sketch2shape.pictures.viewer import data_uri, shape
+from sketch2shape.pictures.viewer import data_uri
+from sketch2shape.ui.described import described, rounded
 
 _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
@@ -28,30 +32,59 @@ def warm_up() -> None:
         import_module(name)
 
 
-def reconstruct_picture(data: bytes, name: str) -> dict[str, Any]:
-    """Find the objects of an uploaded picture: all that the page shows of it."""
-    from sketch2shape.pipeline import reconstruct
-    from sketch2shape.reading.read import read_picture
+def reconstruct_picture(data: bytes, name: str, page: int = 0) -> dict[str, Any]:
+    """Find the objects of an uploaded picture, of one page of it: all that the page shows of it."""
+    from sketch2shape.reading.read import count_pages, read_picture
     from sketch2shape.strokes import detect_corners
 
-    picture = read_picture(data, name=name, reduced=True)
-    found: Answer
-    try:
-        found = reconstruct(picture)
-        problem = None
-    except NoObjectError as error:
-        found = Answer((), (), picture)
-        problem = {"error": error.message, "advice": error.advice}
+    pages = count_pages(data)
+    picture = read_picture(data, name=name, reduced=True, page=min(page, pages - 1))
+    found, problem = _found(picture)
     return {
-        **_described(found),
+        **described(found),
         "name": name,
+        "pages": pages,
         "width": picture.size[0],
         "height": picture.size[1],
         "picture": _shown(picture.pixels),
         "stages": _stages(found),
-        "corners": _rounded(detect_corners(picture).vertices[:_MOST_CORNERS]),
+        "corners": rounded(detect_corners(picture).vertices[:_MOST_CORNERS]),
         "problem": problem,
     }
+
+
+def reconstruct_sketch(data: Any) -> dict[str, Any]:
+    """Find the objects of strokes that were drawn on the page (see docs/vectors.md), in the units of its sheet."""
+    from sketch2shape.reading.pen_strokes import from_json
+
+    picture = from_json({"strokes": data.get("strokes")}, "sketch")
+    found, problem = _found(picture)
+    objects = tuple(_on_sheet(obj, picture) for obj in found.objects)
+    solids = tuple(replace(lift(obj), confidence=s.confidence) for obj, s in zip(objects, found.solids, strict=True))
+    return {**described(Answer(objects, solids, picture)), "problem": problem}
+
+
+def _found(picture: Picture) -> tuple[Answer, dict[str, str] | None]:
+    """The answer, or the best guess and why it is none."""
+    from sketch2shape.pipeline import reconstruct
+
+    try:
+        return reconstruct(picture), None
+    except NoObjectError as error:
+        return error.guess or Answer((), (), picture), {"error": error.message, "advice": error.advice}
+
+
+def _on_sheet(obj: TwoFaceObject, picture: Picture) -> TwoFaceObject:
+    """An object found in a picture of strokes, in the strokes' own coordinates."""
+    if picture.drawing is None:
+        return obj
+    origin, scale = np.array(picture.drawing.origin), picture.drawing.scale
+
+    def own(points: Floats) -> Floats:
+        return np.asarray(origin + points / scale)
+
+    holes = tuple(FacePair(own(h.f1), own(h.f2)) for h in obj.holes)
+    return replace(obj, f1=own(obj.f1), f2=own(obj.f2), holes=holes, noise=obj.noise / scale)
 
 
 def make_product(data: bytes, product: str, options: dict[str, Any]) -> bytes:
@@ -69,7 +102,7 @@ def make_product(data: bytes, product: str, options: dict[str, Any]) -> bytes:
 
 def lift_corrections(data: Any) -> dict[str, Any]:
     """The solids of faces that were put right by hand."""
-    return _described(_corrected(data, None))
+    return described(_corrected(data, None))
 
 
 def show_stages(picture: bytes, data: Any) -> dict[str, Any]:
@@ -79,11 +112,48 @@ def show_stages(picture: bytes, data: Any) -> dict[str, Any]:
     return {"stages": _stages(_corrected(data, read_picture(picture)))}
 
 
-def export_corrections(data: Any, form: str) -> bytes:
-    """A mesh file of the solids."""
-    from sketch2shape.export import encode
+def other_readings(data: Any, index: Any) -> list[dict[str, Any]]:
+    """The solids that the object at this place of the corrections may be, the likeliest first, the present one too."""
+    given, size = _corrections(data), _size(data)
+    if type(index) is not int or not 0 <= index < len(given.objects):
+        raise UsageError("there is no such object")
+    present = given.objects[index]
+    if present.shape is None:
+        raise UsageError("the object has no faces yet")
+    readings: list[dict[str, Any]] = []
+    count = 1
+    while len(readings) < count:
+        number = len(readings) + 1
+        options = replace(present, reading=number).options(LiftOptions())
+        solid = lift(present.shape, picture_size=(size[1], size[0]), options=options)
+        count = 1 + len(solid.alternatives)
+        readings.append({"number": number, **_reading(Answer((present.shape,), (solid,), _blank(size)))})
+    return readings
 
-    return encode(_corrected(data, None), form)
+
+def _reading(answer: Answer) -> dict[str, Any]:
+    solid, told = answer.solids[0], described(answer)
+    name = solid.projection.evidence.get("reading", solid.projection.family)
+    return {"name": str(name), "solid": told["solid"], "size": told["facts"][0]["size"], "unit": solid.unit}
+
+
+def export_corrections(data: Any, form: str) -> bytes:
+    """The bytes of a format or product of the solids; `data` may hold the picture that some of them show, base64."""
+    from sketch2shape.pipeline.products import encode_product
+    from sketch2shape.reading.read import read_picture
+
+    sent = data.get("picture") if isinstance(data, dict) else None
+    name = str(data.get("source") or "drawing")[:200] if isinstance(data, dict) else ""
+    picture = None if sent is None else read_picture(picture_bytes(sent), name=name)
+    return encode_product(form, _corrected(data, picture), {})
+
+
+def picture_bytes(sent: Any) -> bytes:
+    """A picture that travels inside JSON. Raises UsageError."""
+    try:
+        return b64decode(sent, validate=True)
+    except (TypeError, ValueError) as error:
+        raise UsageError("the request holds no picture") from error
 
 
 def connect_loose(front: Any, back: Any) -> dict[str, Any]:
@@ -102,17 +172,42 @@ def connect_loose(front: Any, back: Any) -> dict[str, Any]:
     f1 = f1[connect(f1)]
     gaps = (f1 - f1.mean(axis=0))[:, None] - (f2 - f2.mean(axis=0))[None]
     f2 = f2[linear_sum_assignment((gaps**2).sum(axis=2))[1]]
-    return {"f1": _rounded(f1), "f2": _rounded(f2)}
+    return {"f1": rounded(f1), "f2": rounded(f2)}
+
+
+def _corrections(data: Any) -> Corrections:
+    corrections = corrections_from(data)
+    if corrections is None or not corrections.objects:
+        raise UsageError("there is no object yet", remedy="tracing its front face")
+    return corrections
 
 
 def _corrected(data: Any, picture: Picture | None) -> Answer:
     """The result of corrections sent by the page, for a blank picture of the size they tell if none is given."""
-    corrections = corrections_from(data)
-    if corrections is None or not corrections.objects:
-        raise UsageError("there is no object yet", remedy="tracing its front face")
-    if picture is None:
-        picture = Picture(np.broadcast_to(np.uint8(255), (*_size(data), 3)))
-    return corrected(picture, corrections)
+    corrections = _corrections(data)
+    answer = corrected(picture or _blank(_size(data)), corrections)
+    return _in_one_scale(answer, corrections)
+
+
+def _in_one_scale(answer: Answer, corrections: Corrections) -> Answer:
+    """Objects of one sheet that were given no size have the scale of the first one that was."""
+    sized = [k for k, o in enumerate(corrections.objects) if o.sizes]
+    if not sized or len(sized) == len(answer.solids):
+        return answer
+    first = sized[0]
+    unit = answer.solids[first].unit
+    bare = lift(answer.objects[first], options=replace(corrections.objects[first], sizes={}).options(LiftOptions()))
+    scale = float(np.median(np.array(answer.solids[first].dimensions) / np.maximum(bare.dimensions, 1e-9)))
+    solids = list(answer.solids)
+    for k, (obj, given) in enumerate(zip(answer.objects, corrections.objects, strict=True)):
+        if not given.sizes:
+            width = solids[k].dimensions[0] * scale
+            solids[k] = lift(obj, options=replace(given, sizes={"width": f"{width:.9g}{unit}"}).options(LiftOptions()))
+    return Answer(answer.objects, tuple(solids), answer.picture)
+
+
+def _blank(size: tuple[int, int]) -> Picture:
+    return Picture(np.broadcast_to(np.uint8(255), (*size, 3)))
 
 
 def _size(data: Any) -> tuple[int, int]:
@@ -121,36 +216,6 @@ def _size(data: Any) -> tuple[int, int]:
     if not all(type(s) is int and 0 < s <= _MOST_SIDE for s in size):
         raise UsageError("the corrections do not tell the picture's width and height")
     return size[0], size[1]
-
-
-def _described(result: Answer) -> dict[str, Any]:
-    """The objects and solids, as the page keeps them."""
-    return {
-        "objects": [
-            {
-                "f1": _rounded(obj.f1),
-                "f2": _rounded(obj.f2),
-                "holes": [{"f1": _rounded(h.f1), "f2": _rounded(h.f2)} for h in obj.holes],
-                "confidence": round(sure, 3),
-            }
-            for obj, sure in zip(result.objects, result.confidences, strict=True)
-        ],
-        "solid": shape(result),
-        "facts": [
-            {
-                "projection": solid.projection.family,
-                "size": [round(d, 4) for d in solid.dimensions],
-                "volume": float(f"{abs(solid.volume):.6g}"),
-                "unit": solid.unit,
-                "warnings": list(solid.warnings),
-            }
-            for solid in result.solids
-        ],
-    }
-
-
-def _rounded(points: Floats) -> list[list[float]]:
-    return [[round(float(c), 2) for c in p] for p in points]
 
 
 def _stages(result: Answer) -> list[dict[str, str]]:

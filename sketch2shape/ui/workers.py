@@ -35,6 +35,10 @@ class Workers(Protocol):
     async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
         """The function's result; its errors are raised here. Raises LimitError after `seconds`, BusyError."""
 
+    @property
+    def waiting(self) -> int:
+        """Tasks that are not done, those in hand included."""
+
     def close(self) -> None:
         """Stop, without waiting for work in hand."""
 
@@ -42,7 +46,7 @@ class Workers(Protocol):
 class WorkerPool:
     """Worker processes that are replaced when they fail."""
 
-    def __init__(self, workers: int = 2, *, most_waiting: int = 16, memory: int = 4 * 2**30) -> None:
+    def __init__(self, workers: int = 2, *, most_waiting: int = 64, memory: int = 4 * 2**30) -> None:
         """Start `workers` processes, each with `memory` bytes for its work; refuse more than `most_waiting` tasks."""
         self._workers, self._memory, self._most, self._count = workers, memory, most_waiting, 0
         self._pool = self._start()
@@ -60,12 +64,17 @@ class WorkerPool:
         pool.schedule(abs, args=[0])  # the processes start with the first task: let that not be a person's
         return pool
 
+    @property
+    def waiting(self) -> int:
+        """See Workers."""
+        return self._count
+
     async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
         """See Workers."""
         from pebble import ProcessExpired
 
         if self._count >= self._most:
-            raise BusyError("too much work is waiting")
+            raise BusyError(f"too much work is waiting: {self._count} tasks are before yours")
         self._count += 1
         try:
             future = self._schedule(function, arguments, seconds)

@@ -41,13 +41,22 @@ def test_words_can_be_read(colour: Colour) -> None:
     assert contrast(colour, BACKDROP) >= 4.5
 
 
-def test_the_words_of_the_page_can_be_read() -> None:
+def test_the_words_of_the_page_can_be_read_by_day_and_by_night() -> None:
     style = files("sketch2shape.ui").joinpath("page/style.css").read_text("utf-8")
-    named = dict(re.findall(r"--(\w+): #(\w{6}|\w{3});", style))
-    colours = {k: v if len(v) == 6 else "".join(c * 2 for c in v) for k, v in named.items()}
-    rgb = {k: (int(v[:2], 16), int(v[2:4], 16), int(v[4:], 16)) for k, v in colours.items()}
-    for words in ("ink", "muted", "bad", "front"):
-        assert contrast(rgb[words], rgb["ground"]) >= 4.5, words
+    day, night = (
+        {
+            k: v if len(v) == 6 else "".join(c * 2 for c in v)
+            for k, v in re.findall(r"--([\w-]+): #(\w{6}|\w{3});", part)
+        }
+        for part in style.split("@media (prefers-color-scheme: dark)", 1)
+    )
+    for colours in (day, {**day, **night}):
+        rgb = {k: (int(v[:2], 16), int(v[2:4], 16), int(v[4:], 16)) for k, v in colours.items()}
+        for words in ("ink", "muted", "bad", "front", "warn"):
+            assert contrast(rgb[words], rgb["ground"]) >= 4.5, words
+        for words, under in (("good", "goodtint"), ("warn", "warntint"), ("bad", "badtint"), ("on", "front")):
+            assert contrast(rgb[words], rgb[under]) >= 4.5, words
+    rgb = {k: (int(v[:2], 16), int(v[2:4], 16), int(v[4:], 16)) for k, v in day.items()}
     assert (rgb["front"], rgb["back"], rgb["join"]) == (FRONT, BACK, JOIN)  # the page and the pictures agree
 
 

@@ -23,6 +23,10 @@ class Here:
         assert seconds > 0
         return function(*arguments)
 
+    @property
+    def waiting(self) -> int:
+        return 0
+
     def close(self) -> None: ...
 
 

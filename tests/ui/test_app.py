@@ -1,12 +1,17 @@
 import base64
 import io
+import re
 from typing import Any
 
 import pytest
 import trimesh
 from starlette.testclient import TestClient
 
+from sketch2shape.ui.app import PAGE_MODULES
 from sketch2shape.ui.examples import EXAMPLES
+from sketch2shape.writing.formats import FORMATS
+
+from .conftest import BACK, FRONT
 
 PNG = {"Content-Type": "image/png"}
 
@@ -16,19 +21,71 @@ def test_the_page_and_its_parts_are_served(app: TestClient) -> None:
     for part in ("/style.css", "/icon.svg", "/viewer.js", "/app.js"):
         assert part in page
         assert app.get(part).status_code == 200
-    for module in ("editor", "history", "server", "shape", "sketchpad"):
-        assert f"./{module}.js" in app.get("/app.js").text
+    for module in PAGE_MODULES:
         assert app.get(f"/{module}.js").headers["content-type"].startswith("text/javascript")
 
 
-def test_nothing_is_loaded_from_elsewhere(app: TestClient) -> None:
-    for part in ("/", "/style.css", "/viewer.js", "/app.js", "/editor.js", "/server.js", "/shape.js", "/sketchpad.js"):
+def test_every_script_that_a_script_loads_is_served(app: TestClient) -> None:
+    asked = {m for name in PAGE_MODULES for m in re.findall(r'from "\./(\w+)\.js"', app.get(f"/{name}.js").text)}
+    assert asked == {*PAGE_MODULES} - {"app"}
+
+
+def test_nothing_is_loaded_from_elsewhere_and_the_page_is_small(app: TestClient) -> None:
+    size = 0
+    for part in ("/", "/style.css", "/viewer.js", "/icon.svg", *(f"/{name}.js" for name in PAGE_MODULES)):
         text = app.get(part).text.replace("http://www.w3.org/2000/svg", "")
         assert "http:" not in text
         assert "https:" not in text
+        size += len(text)
+    assert size < 250_000
     policy = app.get("/").headers["content-security-policy"]
     assert "default-src 'none'" in policy
     assert "unsafe" not in policy
+
+
+def test_strokes_become_a_solid_in_their_own_coordinates(app: TestClient) -> None:
+    pairs = [(a, (a + 1) % 4) for a in range(4)]
+    lines = [[p[a], p[b]] for p in (FRONT, BACK) for a, b in pairs] + [[f, b] for f, b in zip(FRONT, BACK, strict=True)]
+    moved = [{"points": [[x - 500, y - 300, 7, 0.5] for x, y in line], "dashed": False} for line in lines]
+    found = app.post("/api/sketch", json={"strokes": moved}).json()
+    assert found["problem"] is None
+    corners = {(round(x + 500), round(y + 300)) for ring in ("f1", "f2") for x, y in found["objects"][0][ring]}
+    assert corners == {(round(x), round(y)) for x, y in FRONT + BACK}
+    assert len(found["facts"][0]["size"]) == 3
+
+
+def test_strokes_that_show_no_solid_give_the_best_guess_or_nothing(app: TestClient) -> None:
+    line = {"points": [[0, 0], [100, 0]]}
+    found = app.post("/api/sketch", json={"strokes": [line]}).json()
+    assert found["objects"] == []
+    assert found["problem"]["error"]
+
+
+def test_the_readings_of_an_object_are_told_as_solids(app: TestClient, corrections: dict[str, Any]) -> None:
+    del corrections["objects"][0]["projection"]
+    asked = {"corrections": corrections, "object": 0}
+    readings = app.post("/api/readings", json=asked).json()["readings"]
+    assert [r["number"] for r in readings] == list(range(1, len(readings) + 1))
+    assert len(readings) >= 2
+    assert all(len(r["solid"]["vertices"]) == 8 and r["size"][0] == pytest.approx(40) for r in readings)
+    corrections["objects"][0]["reading"] = 2
+    assert app.post("/api/lift", json=corrections).json()["facts"][0]["size"] == pytest.approx(readings[1]["size"])
+
+
+def test_objects_of_one_sheet_have_one_scale(app: TestClient, corrections: dict[str, Any]) -> None:
+    other = {"f1": [[x * 0.5 + 600, y * 0.5] for x, y in FRONT], "f2": [[x * 0.5 + 600, y * 0.5] for x, y in BACK]}
+    corrections["objects"].append({**other, "projection": "oblique"})
+    first, second = app.post("/api/lift", json=corrections).json()["facts"]
+    assert second["unit"] == "mm"
+    assert second["size"] == pytest.approx([s / 2 for s in first["size"]], rel=1e-3)
+
+
+def test_what_the_page_offers(app: TestClient) -> None:
+    about = app.get("/about").json()
+    assert [f["name"] for f in about["formats"]] == list(FORMATS)
+    assert [e["name"] for e in about["examples"]] == list(EXAMPLES)
+    assert set(about["reads"]) == {"heic", "pdf", "svg"}
+    assert app.get("/queue").json() == {"waiting": 0}
 
 
 def test_a_drawing_becomes_objects_a_solid_and_stages(app: TestClient, box_png: bytes) -> None:
@@ -70,6 +127,14 @@ def test_moving_a_vertex_changes_the_volume(app: TestClient, corrections: dict[s
     entry["f2"][0][1] -= 40
     after = app.post("/api/lift", json=corrections).json()["facts"][0]["volume"]
     assert after > before * 1.05
+
+
+@pytest.mark.parametrize("form", list(FORMATS))
+def test_every_format_is_written(app: TestClient, corrections: dict[str, Any], box_png: bytes, form: str) -> None:
+    sent = {**corrections, "picture": base64.b64encode(box_png).decode(), "source": "box.png"}
+    answer = app.post(f"/api/export/{form}", json=sent)
+    assert answer.status_code == 200
+    assert len(answer.content) > 100
 
 
 @pytest.mark.parametrize("form", ["stl", "obj", "ply", "glb", "off"])
@@ -117,6 +182,11 @@ def test_stages_are_drawn_again_for_corrections(app: TestClient, box_png: bytes,
         ("POST", "/api/export/exe", {"json": {}}, 400),
         ("POST", "/api/connect", {"json": {"front": [[0, 0]], "back": "x"}}, 400),
         ("POST", "/api/stages", {"json": {"picture": "%%%"}}, 400),
+        ("POST", "/api/sketch", {"json": {"strokes": "x"}}, 415),
+        ("POST", "/api/sketch", {"json": {"strokes": [{"points": [[0, "x"]]}]}}, 415),
+        ("POST", "/api/sketch", {"json": {"strokes": [{"points": [[0, 1e300], [1, 2]]}]}}, 415),
+        ("POST", "/api/readings", {"json": {"corrections": {"objects": []}, "object": 0}}, 400),
+        ("POST", "/api/readings", {"json": {"object": -1}}, 400),
         ("GET", "/api/lift", {}, 405),
         ("GET", "/api/nothing", {}, 404),
         ("GET", "/examples/..%2f..%2fpyproject.png", {}, 404),
@@ -133,7 +203,5 @@ def test_what_cannot_be_done_is_refused_in_words(
     assert "Traceback" not in answer.text
 
 
-def test_examples_are_listed_and_served(app: TestClient) -> None:
-    listed = app.get("/examples").json()["examples"]
-    assert [e["name"] for e in listed] == list(EXAMPLES)
+def test_examples_are_served(app: TestClient) -> None:
     assert app.get("/examples/wireframe.png").content.startswith(b"\x89PNG")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
@@ -153,9 +152,12 @@ def test_upload_drag_undo_and_download_a_watertight_mesh(page: Chrome, box_file:
     wait(lambda: volume(page) == pytest.approx(before, rel=1e-3))
 
     page.find_element(By.ID, "download").click()
+    page.find_element(By.ID, "take-it").click()  # no size was given: the longest side becomes 60 mm
     mesh = trimesh.load(downloaded(downloads, "box.stl"), force="mesh")
     assert mesh.is_watertight
-    assert mesh.volume == pytest.approx(before, rel=0.02)
+    assert max(mesh.extents) == pytest.approx(60, rel=1e-3)
+    assert mesh.bounds[0][2] == pytest.approx(0, abs=1e-6)  # it stands on the bed
+    wait(lambda: volume(page) == pytest.approx(mesh.volume, rel=0.02))
 
 
 def test_a_wrong_vertex_is_dragged_to_its_place(page: Chrome, box_file: Path, tmp_path: Path) -> None:
@@ -169,7 +171,7 @@ def test_a_wrong_vertex_is_dragged_to_its_place(page: Chrome, box_file: Path, tm
     wait(lambda: volume(page) == pytest.approx(right, rel=0.05))
 
 
-def test_a_box_drawn_with_the_mouse_becomes_a_solid(page: Chrome) -> None:
+def draw_box(page: Chrome) -> None:
     page.find_element(By.ID, "draw").click()
     pad = page.find_element(By.ID, "pad")
     for i, (x, y) in enumerate(FRONT):
@@ -178,17 +180,125 @@ def test_a_box_drawn_with_the_mouse_becomes_a_solid(page: Chrome) -> None:
             ActionChains(page, duration=10).move_to_element_with_offset(
                 pad, a, b
             ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
-    page.find_element(By.ID, "make").click()
-    wait(lambda: "Found the object" in message(page))
+
+
+def strokes(page: Chrome) -> int:
+    return int(page.execute_script("return window.timings.state().strokes.length"))
+
+
+def test_a_solid_stands_up_while_a_box_is_drawn(page: Chrome) -> None:
+    draw_box(page)
+    wait(lambda: "That is a solid" in message(page) and volume(page))
+    assert strokes(page) == 12
+    page.find_element(By.ID, "adjust").click()
     assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
-    assert volume(page) > 0
-    assert len(page.find_elements(By.CSS_SELECTOR, "#stages li")) == 8
 
 
-def test_a_real_size_scales_the_solid_at_once(page: Chrome, box_file: Path) -> None:
+def test_clear_is_undone_and_a_reload_keeps_the_drawing(page: Chrome) -> None:
+    draw_box(page)
+    wait(lambda: volume(page))
+    page.find_element(By.ID, "clear").click()
+    assert (strokes(page), volume(page)) == (0, 0)
+    page.find_element(By.ID, "undo").click()
+    wait(lambda: strokes(page) == 12 and volume(page))
+    time.sleep(0.6)  # it is kept after a pause
+    page.refresh()
+    wait(lambda: strokes(page) == 12 and volume(page))
+
+
+def test_a_link_holds_the_whole_drawing(page: Chrome, address: str) -> None:
+    draw_box(page)
+    wait(lambda: volume(page))
+    page.find_element(By.ID, "share").click()
+    link = wait(lambda: read(page, "#link-text", "value"))
+    assert len(link) < 1000
+    page.get("about:blank")
+    page.get(link)
+    wait(lambda: strokes(page) == 12 and volume(page))
+    page.get("about:blank")
+    page.get(link[:-20])
+    wait(lambda: "does not hold" in message(page))
+
+
+def test_a_question_comes_before_a_drawing_is_dropped(page: Chrome) -> None:
+    draw_box(page)
+    page.find_element(By.ID, "draw").click()
+    assert strokes(page) == 12
+    page.find_element(By.CSS_SELECTOR, "#ask [value=no]").click()
+    assert strokes(page) == 12
+    page.find_element(By.ID, "draw").click()
+    page.find_element(By.CSS_SELECTOR, "#ask [value=yes]").click()
+    wait(lambda: strokes(page) == 0)
+
+
+def test_lines_are_drawn_with_the_keyboard_and_by_numbers(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    pad = page.find_element(By.ID, "pad")
+    pad.send_keys(Keys.ENTER, Keys.ENTER, *[Keys.ARROW_RIGHT] * 5, Keys.ENTER)
+    assert strokes(page) == 1
+    pad.send_keys(Keys.ENTER, *[Keys.ARROW_DOWN] * 5, Keys.ESCAPE)
+    assert strokes(page) == 1
+    page.find_element(By.ID, "numbers").click()
+    page.find_element(By.CSS_SELECTOR, "#numbers-box .main").click()
+    page.find_element(By.CSS_SELECTOR, "#numbers-box .close").click()
+    assert strokes(page) == 2
+
+
+def test_escape_cancels_a_stroke(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    pad = page.find_element(By.ID, "pad")
+    ActionChains(page, duration=10).move_to_element(pad).click_and_hold().move_by_offset(90, 20).perform()
+    ActionChains(page).send_keys(Keys.ESCAPE).perform()
+    ActionChains(page, duration=10).move_by_offset(10, 20).release().perform()
+    assert strokes(page) == 0
+
+
+def test_another_reading_is_taken_with_one_tap(page: Chrome) -> None:
+    draw_box(page)
+    wait(lambda: page.find_elements(By.CSS_SELECTOR, "#readings button"))
+    before = volume(page)
+    page.find_elements(By.CSS_SELECTOR, "#readings button")[1].click()
+    wait(lambda: volume(page) != pytest.approx(before, rel=0.05))
+    wait(lambda: read(page, "#readings [aria-pressed=true]", "ariaLabel").startswith("Reading 2"))
+
+
+def test_real_sizes_are_those_of_the_upright_solid(page: Chrome, box_file: Path) -> None:
     upload(page, box_file)
-    page.find_element(By.ID, "size-value").send_keys("40")
-    wait(lambda: re.search(r"\b40 (×.*)?mm$", read(page, "#facts dd")))
+    for name, value in (("width", "40"), ("height", "2,5 cm"), ("depth", "60")):
+        field = page.find_element(By.ID, f"size-{name}")
+        field.send_keys(value)
+    page.find_element(By.ID, "facts").click()
+    wait(lambda: read(page, "#facts").startswith("40 wide, 25 high, 60 deep mm"))
+
+
+def test_a_number_typed_badly_is_refused_beside_its_field(page: Chrome, box_file: Path) -> None:
+    upload(page, box_file)
+    before = volume(page)
+    page.find_element(By.ID, "size-width").send_keys("-3")
+    assert "Not a length" in read(page, "#error-width")
+    assert read(page, "#size-width", "ariaInvalid") == "true"
+    assert volume(page) == before
+
+
+def test_a_size_is_changed_where_it_stands_on_the_solid(page: Chrome, box_file: Path) -> None:
+    upload(page, box_file)
+    page.find_element(By.CSS_SELECTOR, "#dimensions [data-size=width]").click()
+    page.switch_to.active_element.send_keys("30 mm", Keys.ENTER)
+    wait(lambda: read(page, "#facts").startswith("30 wide"))
+    assert read(page, "#size-width", "value") == "30"
+
+
+def test_the_front_is_the_face_that_is_clicked(page: Chrome, box_file: Path) -> None:
+    upload(page, box_file)
+    page.find_element(By.CSS_SELECTOR, "[data-tool=front]").click()
+    x, y = (sum(place(page, f, i)[c] for f in (1, 2) for i in (1, 2)) / 4 for c in (0, 1))
+    at = "const p = new DOMPoint(...arguments).matrixTransform(document.getElementById('editor').getScreenCTM());"
+    x, y = page.execute_script(at + "return [p.x, p.y]", x, y)
+    before = [place(page, 1, i) for i in range(4)]
+    chain = ActionChains(page)
+    chain.w3c_actions.pointer_action.move_to_location(round(x), round(y)).click()
+    chain.perform()
+    wait(lambda: {place(page, 1, i) for i in range(4)} != set(before))
 
 
 def test_vertices_are_added_deleted_and_given_to_the_other_face(page: Chrome, box_file: Path) -> None:
@@ -261,16 +371,18 @@ def test_single_vertices_are_told_apart_and_connected(page: Chrome, tmp_path: Pa
     assert not page.find_elements(By.CSS_SELECTOR, "g.vertex.f0")
 
 
-def test_corrections_are_saved_and_read_back(page: Chrome, box_file: Path, downloads: Path) -> None:
+def test_corrections_are_saved_and_read_back(page: Chrome, address: str, box_file: Path, downloads: Path) -> None:
     upload(page, box_file)
     press(page, 1, 0, Keys.ARROW_LEFT)
     moved = place(page, 1, 0)
+    page.find_element(By.ID, "download").click()
     page.find_element(By.ID, "save").click()
     file = downloaded(downloads, "box.corrections.json")
     saved = json.loads(file.read_text())
     assert saved["source"] == "box.png"
     assert saved["objects"][0]["f1"][0] == pytest.approx(moved)
-    page.refresh()
+    page.get("about:blank")
+    page.get(address)
     upload(page, box_file)
     assert place(page, 1, 0) != pytest.approx(moved)
     page.find_element(By.ID, "file").send_keys(str(file))

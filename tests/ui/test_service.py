@@ -31,6 +31,10 @@ class Here:
         assert seconds > 0
         return function(*arguments)
 
+    @property
+    def waiting(self) -> int:
+        return 0
+
     def close(self) -> None: ...
 
 

@@ -1,154 +1,356 @@
 /* The page: what is open, what was found, what was changed, and the wiring between them. */
+import { photograph } from "./camera.js";
 import { Editor } from "./editor.js";
+import { Strip } from "./folder.js";
 import { History } from "./history.js";
+import { keep, kept, packed, unpacked } from "./keep.js";
+import { faults, label, told } from "./marks.js";
+import { Pad } from "./pad.js";
+import { Readings } from "./readings.js";
 import * as server from "./server.js";
 import * as shape from "./shape.js";
-import { Sketchpad } from "./sketchpad.js";
+import { given, lengthOf, shown } from "./sizes.js";
+import { Stage, colours } from "./stage.js";
+import { Take, offer } from "./take.js";
+import { fill, say } from "./words.js";
 
 const $ = id => document.getElementById(id);
-const EMPTY = { objects: [], loose: [] };
+const NAMES = ["width", "height", "depth"];
+/* strokes below this many can show no solid */
+const FEWEST = 5;
+/* ms: a wait worth a sign, a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
+const SOON = 300, LONG = 1200, PAUSE = 350;
+const SURE = 0.9;
 
-const open = { blob: null, name: "", width: 0, height: 0, confidence: null };
+/* all that undo travels through: the sheet in view, strokes, objects, loose vertices; why the objects are only a guess ("" if
+   they are not) and how sure they are (null once changed by hand) */
+const EMPTY = { sheet: "welcome", strokes: [], objects: [], loose: [], guess: "", sure: null };
+const BLANK = { kind: "sketch", blob: null, name: "", width: 0, height: 0, picture: "", corners: [], page: 0, pages: 1 };
+const NO_SOLID = { solid: { vertices: [], triangles: [], edges: [] }, facts: [] };
+
+let state = EMPTY, open = BLANK, selected = 0, families = [], marks = { loose: [], missing: [] }, about = null, answer = NO_SOLID;
 const history = new History(EMPTY);
-let state = EMPTY, selected = 0, loading = 0, moving = false, families = [];
+/* for those who measure: ms from the end of a stroke to its solid, and what the page knows */
+const timings = window.timings = { sketch: [], busy: () => asking, state: () => state, fresh: () => startSketch() };
 
-const solid = new SolidView($("solid"));
-const pad = new Sketchpad($("pad"));
+fill(document);
+const stage = new Stage({ size: (name, text) => typed(name, text, true) });
+const readings = new Readings($("readings"), number => set(o => { o.reading = number; }));
+const pad = new Pad($("pad"), {
+  change: strokes => { step({ ...state, strokes, guess: "" }); live(performance.now()); },
+  say: words => { $("hint").textContent = words; },
+  paint: () => label($("marks"), drawing() ? marks : { loose: [], missing: [] }, p => pad.onScreen(p), () => pad.join()),
+});
 const editor = new Editor($("editor"), {
-  hint: words => { $("hint").textContent = words; },
-  change: (next, done) => { state = next; moving = !done; if (done) history.push(state); followed(); },
+  hint: words => { if (state.sheet === "editor") $("hint").textContent = words; },
+  change: (next, done) => { moving = !done; state = { ...next, sure: null, guess: "" }; if (done) step(state); lifted(); },
   choose: name => { if (name.object !== undefined && name.object !== selected) { selected = name.object; settings(); } },
+});
+const take = new Take({
+  stem: () => (open.name || say("paper").toLowerCase()).replace(/^.*[\\/]/, "").replace(/\.[^.]*$/, "") || "drawing",
+  fact: () => answer.facts[selected] || null,
+  fit: (name, text) => typed(name, text, true),
+  said: tell,
+  save: () => offer(new Blob([JSON.stringify({ ...correctionsNow(), source: open.name }, null, 1)], { type: "application/json" }), `${take.on.stem()}.corrections.json`),
+  file: async format => {
+    const shows = take.formats.find(f => f.name === format)?.group === "picture";
+    return server.file(format, { ...correctionsNow(), source: open.name }, !shows ? null : open.kind === "picture" ? open.blob : await pad.picture());
+  },
+});
+const strip = new Strip($("strip"), file => server.reconstruct(file, file.name), (file, found, error) => {
+  if (error) tell(error.message, true); else showPicture(found, file, file.name);
 });
 
 /* ---- words */
-function say(words, bad = false) {
-  $("message").textContent = words;
+function tell(words, bad = false) {
+  $("message").textContent = $("message").title = words;
   $("message").classList.toggle("bad", bad);
 }
 
-/* ---- which of the three sheets is in view */
-function view(which) {
-  $("welcome").hidden = which !== "welcome";
-  $("pad").hidden = $("pad-tools").hidden = which !== "pad";
-  $("editor").toggleAttribute("hidden", which !== "editor");
-  $("tools").hidden = $("zoom").hidden = $("options").hidden = which !== "editor";
-  $("hint").textContent = which === "pad" ? "Draw the front face, the back face and the edges between them; dash what is hidden, or leave it out." : "";
-  if (which === "editor") { editor.fit(); editor.say(); }
+/* ---- state */
+const drawing = () => state.sheet === "pad";
+
+function step(next) {
+  state = next;
+  history.push(state);
+  saveSoon();
   buttons();
 }
 
-const drawing = () => !$("pad").hidden;
-
-/* ---- open a picture */
-async function load(blob, name) {
-  const turn = ++loading;
-  $("busy").hidden = false;
-  say(`Looking at ${name}…`);
-  try {
-    const found = await server.reconstruct(blob, name);
-    if (turn === loading) show(found, blob, name);
-  } catch (error) {
-    if (turn === loading) say(error.message, true);
-  } finally {
-    if (turn === loading) $("busy").hidden = true;
-  }
+let saving = 0;
+function saveSoon() {
+  clearTimeout(saving);
+  const { kind, blob, name, page } = open;
+  saving = setTimeout(() => { if (state.sheet !== "welcome") keep({ state, kind, blob, name, page }); }, PAUSE);
 }
 
-function show(found, blob, name) {
-  Object.assign(open, { blob, name, width: found.width, height: found.height });
-  open.confidence = found.objects.length ? Math.min(...found.objects.map(o => o.confidence)) : null;
-  state = { objects: found.objects.map(o => ({ ...shape.newObject(o.f1, o.f2), holes: o.holes })), loose: [] };
+/* the sheet that is in view follows the state */
+function view() {
+  document.body.dataset.sheet = state.sheet;
+  $("draw-on").hidden = open.kind !== "sketch";
+  $("pages-label").hidden = open.pages < 2;
+  if (state.sheet === "editor") editor.say();
+  if (drawing()) { pad.paint(); $("hint").textContent = told(marks) || say("hintPad"); }
+  buttons();
+}
+
+function sheetOf() {
+  return open.kind === "sketch" ? { ...pad.frame(), strokes: state.strokes } : { picture: open.picture, width: open.width, height: open.height };
+}
+
+function goTo(sheet) {
+  if (sheet === "editor") { editor.open(sheetOf(), state, open.kind === "sketch" ? state.strokes.flatMap(s => [s.points[0], s.points.at(-1)]) : open.corners); pick("move"); }
+  step({ ...state, sheet });
+  view();
+  if (sheet === "editor") editor.fit();
+}
+
+/* the corrections that say what is in view; a sketch has its frame for a picture */
+function correctionsNow(told = []) {
+  if (open.kind !== "sketch") return shape.corrections(state, open.width, open.height, told);
+  const { x, y, width, height } = pad.frame();
+  return shape.corrections(shape.shifted(state, -x, -y), width, height, told);
+}
+
+/* is there work that a new drawing would drop? */
+const dirty = () => state.strokes.length > 0 || (open.kind === "picture" && history.canUndo);
+
+/* false if the work is to be kept */
+function mayDrop() {
+  if (!dirty()) return Promise.resolve(true);
+  return new Promise(done => {
+    $("ask").returnValue = "no";
+    $("ask").addEventListener("close", () => done($("ask").returnValue === "yes"), { once: true });
+    $("ask").showModal();
+  });
+}
+
+/* ---- draw */
+function startSketch(strokes = [], wishes = []) {
+  open = { ...BLANK };
+  strip.close();
+  state = { ...EMPTY, sheet: "pad", strokes, objects: [] };
   history.reset(state);
   selected = 0;
-  editor.open(found.picture, found.width, found.height, state, found.corners);
-  view("editor");
-  families = found.facts.map(f => f.projection);
-  showSolid(found);
-  solid.home();
-  showStages(found.stages);
-  if (found.problem) {
-    say(`No object was found: ${found.problem.error}. Trace it by hand: click around its front face.`, true);
-    pick("trace");
-  } else {
-    pick("move");
-    const many = state.objects.length;
-    say(many > 1 ? `Found ${many} objects in ${name}.` : `Found the object in ${name}. If a vertex is wrong, drag it to its place.`);
+  wished = wishes;
+  pad.show(strokes);
+  showAnswer(NO_SOLID);
+  showStages([]);
+  view();
+  if (strokes.length) { pad.fit(); live(performance.now()); }
+  else pad.view = { x: 0, y: 0, s: 1 };
+  tell(say("welcome"));
+  $("pad").focus({ preventScroll: true });
+}
+
+/* the solid follows the strokes: one request at a time, the latest strokes last */
+let asking = false, wished = [];
+async function live(since) {
+  review(null);
+  if (asking) return;
+  asking = true;
+  const sign = setTimeout(() => busy(say("working")), SOON);
+  try {
+    for (let strokes = null; strokes !== state.strokes && drawing();) {
+      ({ strokes } = state);
+      if (strokes.length < FEWEST) {
+        amend({ ...state, objects: [], guess: "", sure: null });
+        showAnswer(NO_SOLID);
+        if (strokes.length) tell(say("needMore"));
+        continue;
+      }
+      const found = await server.sketch(strokes);
+      if (strokes === state.strokes) { await showLive(found); timings.sketch.push(performance.now() - since); }
+    }
+  } catch (error) {
+    tell(error.message, true);
+  } finally {
+    clearTimeout(sign);
+    busy("");
+    asking = false;
   }
 }
 
-/* ---- the solid follows the vertices: one request at a time, the latest state last */
-let lifting = false, again = false;
-
-async function followed() {
+function amend(next) {
+  state = next;
+  history.amend(state);
+  saveSoon();
   buttons();
-  if (!state.objects.length) { showSolid({ solid: { vertices: [], triangles: [], edges: [] }, facts: [] }); return joinLoose(); }
+}
+
+async function showLive(found) {
+  const objects = shape.withWishes(found.objects, state.objects.length ? state.objects : wished);
+  const some = objects.length > 0;
+  amend({ ...state, objects, guess: found.problem && some ? found.problem.error : "", sure: some ? Math.min(...found.objects.map(o => o.confidence)) : null });
+  const first = answer === NO_SOLID || !answer.facts.length;
+  const wishes = objects.some(o => o.projection !== "auto" || NAMES.some(n => o.sizes[n]));
+  families = found.facts.map(f => f.projection);
+  showAnswer(wishes && some ? await server.lift(correctionsNow()) : found, first);
+  review(found.objects[0]);
+  if (state.guess) tell(say("guessedLive"));
+  else if (some) tell(say("foundLive", { what: corners(objects) }));
+  else tell(say("needMore"));
+  chooseSoon();
+}
+
+const corners = objects => `${objects.reduce((s, o) => s + shape.rings(o).reduce((n, r) => n + r.f1.length + r.f2.length, 0), 0)} corners`;
+
+/* what is wrong with the drawing, marked on it */
+function review(found) {
+  const sure = state.sure !== null && state.sure >= SURE && !state.guess;
+  marks = faults(state.strokes, sure ? null : found, pad.unit);
+  pad.mark(marks);
+  pad.over(found ? { sure, front: state.objects.flatMap(o => shape.rings(o).map(r => r.f1)) } : null);
+  if (drawing()) $("hint").textContent = told(marks) || say("hintPad");
+}
+
+/* ---- open a picture */
+let loading = 0;
+async function load(blob, name, page = 0) {
+  if (!await mayDrop()) return;
+  const kind = (/\.(heic|heif|pdf|svgz?)$/i.exec(name)?.[1] || "").toLowerCase().replace("heif", "heic").replace("svgz", "svg");
+  if (about && kind && about.reads[kind] === false) { tell(say("cannotRead", { kind: kind.toUpperCase() }), true); return; }
+  if (about && blob.size > about.most) { tell(say("tooLarge", { name, most: Math.floor(about.most / 2 ** 20) }), true); return; }
+  strip.close();
+  const turn = ++loading;
+  busy(say("looking", { name }));
+  tell(say("looking", { name }));
+  try {
+    const found = await server.reconstruct(blob, name, page);
+    if (turn === loading) showPicture(found, blob, name, page);
+  } catch (error) {
+    if (turn === loading) tell(error.message, true);
+  } finally {
+    if (turn === loading) busy("");
+  }
+}
+
+function showPicture(found, blob, name, page = 0) {
+  const { width, height, picture, corners, pages } = found, some = found.objects.length > 0;
+  open = { kind: "picture", blob, name, width, height, picture, corners, page, pages };
+  $("pages").replaceChildren(...Array.from({ length: pages }, (_, k) => new Option(say("pages", { n: k + 1, of: pages }), k, false, k === page)));
+  state = { ...EMPTY, sheet: "editor", objects: shape.withWishes(found.objects, []), sure: some ? Math.min(...found.objects.map(o => o.confidence)) : null, guess: found.problem && some ? found.problem.error : "" };
+  history.reset(state);
+  selected = 0;
+  pad.show([]);
+  editor.open(open, state, corners);
+  view();
+  editor.fit();
+  families = found.facts.map(f => f.projection);
+  showAnswer(found, true);
+  showStages(found.stages);
+  saveSoon();
+  pick(some ? "move" : "trace");
+  if (state.guess) tell(say("guessed", { why: state.guess }));
+  else if (found.problem) tell(say("foundNot", { why: found.problem.error }), true);
+  else tell(state.objects.length > 1 ? say("foundMany", { n: state.objects.length, name }) : say("found", { name }));
+  chooseSoon();
+}
+
+/* ---- the solid follows the vertices and wishes: one request at a time, the latest state last */
+let lifting = false, again = false, moving = false;
+
+async function lifted() {
+  buttons();
+  if (!state.objects.length) { showAnswer(NO_SOLID); joinLoose(); return; }
   if (!moving && state.loose.length && state.loose.every(v => v.face)) joinLoose();
-  if (lifting) { again = true; return null; }
+  if (lifting) { again = true; return; }
   lifting = true;
   try {
     do {
       again = false;
-      const still = !moving;
-      const found = await server.lift(shape.corrections(state, open.width, open.height, still ? [] : families));
+      const still = !moving, found = await server.lift(correctionsNow(still ? [] : families));
       if (still) families = found.facts.map(f => f.projection);
-      showSolid(found);
-      say("The solid follows your changes.");
+      showAnswer(found);
+      tell(say("follows"));
     } while (again);
+    chooseSoon();
   } catch (error) {
-    say(error.message, true);
+    tell(error.message, true);
   } finally {
     lifting = false;
-    if (again) followed();
+    if (again) lifted();
   }
-  return null;
 }
 
 /* loose vertices become an object once each is told to be of the front or the back and there are as many of both */
 async function joinLoose() {
-  const undecided = state.loose.filter(v => !v.face).length;
+  const none = state.loose.filter(v => !v.face).length;
   const [front, back] = [1, 2].map(face => state.loose.filter(v => v.face === face).map(v => [v.x, v.y]));
   if (!front.length && !back.length) return;
-  if (undecided) {
-    say(`${front.length} front and ${back.length} back vertices; ${undecided} still without a face: click them with the Faces tool.`);
-    return;
-  }
-  if (front.length !== back.length || front.length < 3) {
-    say(`The front face has ${front.length} vertices and the back face ${back.length}: they need as many as each other, at least three.`);
-    return;
-  }
+  if (none) { tell(say("loose", { front: front.length, back: back.length, none })); return; }
+  if (front.length !== back.length || front.length < 3) { tell(say("looseUneven", { front: front.length, back: back.length })); return; }
   try {
-    const { f1, f2 } = await server.connect(front, back);
-    const next = shape.withObject(state, f1, f2);
+    const { f1, f2 } = await server.connect(front, back), next = shape.withObject(state, f1, f2);
     next.loose = [];
     change(next);
   } catch (error) {
-    say(error.message, true);
+    tell(error.message, true);
   }
 }
 
 function change(next) {
-  state = next;
-  history.push(state);
+  step({ ...next, sure: null, guess: "" });
   editor.show(state);
   settings();
-  followed();
+  lifted();
 }
 
-function showSolid({ solid: form, facts }) {
-  solid.show(form);
-  const fact = facts[selected] || facts[0];
-  const number = x => Number(x.toPrecision(4)).toLocaleString("en", { maximumSignificantDigits: 4 });
-  const rows = fact ? [
-    ["Size", `${fact.size.map(number).join(" × ")} ${fact.unit}`], ["Volume", `${number(fact.volume)} ${fact.unit}³`], ["Read as", fact.projection],
-  ] : [];
-  $("facts").replaceChildren(...rows.flatMap(([k, v]) => [["dt", k], ["dd", v]]).map(([kind, words]) => Object.assign(document.createElement(kind), { textContent: words })));
+/* something is wished of the object that is selected */
+function set(update, final = true) {
+  const next = shape.copy(state);
+  if (!next.objects[selected]) return;
+  update(next.objects[selected]);
+  state = next;
+  if (final) step(next);
+  editor.show(state);
+  lifted();
+}
+
+/* a size was typed: false, and nothing else, if it is no length */
+function typed(name, text, final) {
+  const object = state.objects[selected], size = object && lengthOf(text, object.unit), field = $(`size-${name}`);
+  const bad = size === undefined;
+  field.setAttribute("aria-invalid", bad);
+  $(`error-${name}`).textContent = bad ? say("badNumber") : "";
+  if (bad) return false;
+  set(o => given(o, name, size), final);
+  return true;
+}
+
+/* ---- show */
+function showAnswer(found, turn = false) {
+  answer = found;
+  const fact = found.facts[selected] || found.facts[0], object = state.objects[selected];
+  stage.show(found.solid, found.facts, selected, { turn, guess: Boolean(state.guess && fact), drawing: state.objects.length === 1 ? object && drawn(object) : null });
+  const real = fact && fact.unit !== "px", [w, h, d] = (fact?.size || []).map(c => real ? shown(c) : Math.round(c));
+  const volume = real ? `${say("volume")} ${shown(fact.volume)} ${fact.unit}³.` : say("noSize");
+  $("facts").textContent = fact ? `${say("facts", { w, h, d, unit: real ? ` ${fact.unit}` : "" })} ${volume}` : "";
   $("facts").dataset.volume = fact ? fact.volume : "";
+  $("facts").dataset.projection = fact ? fact.projection : "";
   $("warnings").replaceChildren(...(fact ? fact.warnings : []).map(words => Object.assign(document.createElement("li"), { textContent: words })));
-  const mark = $("confidence"), sure = open.confidence !== null && open.confidence >= 0.9;
-  const words = !facts.length ? "" : history.edited ? "changed by hand" : sure ? "sure of it" : "please check it";
-  mark.textContent = words && !history.edited ? `${words} (${open.confidence.toFixed(2)})` : words;
-  mark.className = !words ? "" : sure || history.edited ? "sure" : "unsure";
+  const mark = $("confidence"), byHand = state.sure === null, sure = !byHand && state.sure >= SURE;
+  mark.textContent = !fact ? "" : state.guess ? say("guess") : byHand ? say("byHand") : `${say(sure ? "sureYes" : "sureNo")} ${Math.round(100 * state.sure)} %`;
+  mark.className = !fact ? "" : (sure || byHand) && !state.guess ? "sure" : "unsure";
+  if (!fact) readings.show([], 1);
   settings();
+  buttons();
+}
+
+/* the object's vertices in the order of the solid's */
+const drawn = object => [...shape.rings(object).flatMap(r => r.f1), ...shape.rings(object).flatMap(r => r.f2)];
+
+let choosing = 0;
+function chooseSoon() {
+  clearTimeout(choosing);
+  choosing = setTimeout(async () => {
+    const fact = answer.facts[selected], object = state.objects[selected];
+    if (!fact || !object || fact.readings < 2) { readings.show([], 1); return; }
+    try {
+      const list = await server.readings(correctionsNow(), selected);
+      if (state.objects[selected] === object) readings.show(list, object.reading);
+    } catch { readings.show([], 1); }
+  }, PAUSE);
 }
 
 function showStages(list) {
@@ -163,170 +365,258 @@ function showStages(list) {
   }));
 }
 
+let polling = 0;
+function busy(words) {
+  clearTimeout(polling);
+  $("busy").hidden = !words;
+  $("busy-words").textContent = words;
+  const ask = async () => {
+    try { const n = await server.waiting(); if (n > 2 && !$("busy").hidden) $("busy-words").textContent = say("queue", { n: n - 1 }); } catch { /* told elsewhere */ }
+    if (!$("busy").hidden) polling = setTimeout(ask, LONG);
+  };
+  if (words) polling = setTimeout(ask, LONG);
+}
+
 /* ---- buttons and settings */
 function buttons() {
-  const some = state.objects.length > 0;
-  $("undo").disabled = drawing() ? !pad.strokes.length : !history.canUndo;
-  $("redo").disabled = drawing() ? !pad.undone.length : !history.canRedo;
-  $("download").disabled = $("save").disabled = !some || drawing();
-  $("refresh").hidden = !history.edited || !some;
-  $("make").disabled = !pad.strokes.length;
+  const some = state.objects.length > 0 && !state.guess;
+  $("undo").disabled = !history.canUndo;
+  $("redo").disabled = !history.canRedo;
+  $("download").disabled = $("save").disabled = !some;
+  $("share").disabled = !state.strokes.length;
+  $("adjust").disabled = !state.objects.length;
+  $("clear").disabled = !state.strokes.length;
+  $("refresh").hidden = state.sure !== null || !some || open.kind !== "picture";
 }
 
 function settings() {
   selected = Math.max(0, Math.min(selected, state.objects.length - 1));
-  const object = state.objects[selected];
+  const object = state.objects[selected], fact = answer.facts[selected];
   $("which-label").hidden = state.objects.length < 2;
-  $("which").replaceChildren(...state.objects.map((_, k) => new Option(`${k + 1} of ${state.objects.length}`, k, false, k === selected)));
-  for (const id of ["projection", "size-name", "size-value", "size-unit", "swap"]) $(id).disabled = !object;
+  $("which").replaceChildren(...state.objects.map((_, k) => new Option(`${k + 1} / ${state.objects.length}`, k, false, k === selected)));
+  $("settings").hidden = !object;
+  $("swap").disabled = !object;
   if (!object) return;
   $("projection").value = object.projection;
-  for (const part of ["name", "value", "unit"]) {
-    if (document.activeElement !== $(`size-${part}`)) $(`size-${part}`).value = object.size[part];
-  }
+  $("size-unit").value = object.unit;
+  NAMES.forEach((name, k) => {
+    const field = $(`size-${name}`);
+    if (document.activeElement !== field) { field.value = object.sizes[name]; field.setAttribute("aria-invalid", "false"); $(`error-${name}`).textContent = ""; }
+    field.placeholder = fact && fact.unit !== "px" ? shown(fact.size[k]) : "";
+    const free = fact?.free === name && !object.sizes[name], mark = field.nextElementSibling;
+    mark.textContent = free ? say("free") : "";
+    mark.title = free ? say("freeTip") : "";
+  });
 }
 
-function set(update) {
-  const next = shape.copy(state);
-  update(next.objects[selected]);
-  state = next;
-  history.push(state);
-  editor.show(state);
-  followed();
-}
-
-function pick(tool) {
-  for (const button of $("tools").children) {
-    const on = button.dataset.tool === tool;
+function choose(list, key, value) {
+  for (const button of list) {
+    const on = button.dataset[key] === value;
     button.setAttribute("aria-checked", on);
     button.tabIndex = on ? 0 : -1;
   }
-  editor.setTool(tool);
 }
 
+function pick(tool) { choose($("tools").children, "tool", tool); editor.setTool(tool); }
+
+function pickPad(tool) { choose($("pad-tools").children, "pad", tool); pad.setTool(tool); }
+
 function travel(back) {
-  if (drawing()) { if (back) pad.undo(); else pad.redo(); buttons(); return; }
   const next = back ? history.undo() : history.redo();
   if (!next) return;
   state = next;
-  editor.show(state);
+  pad.show(state.strokes);
+  if (state.sheet === "editor") editor.open(sheetOf(), state, editor.corners); else editor.show(state);
+  view();
   settings();
-  followed();
+  saveSoon();
+  if (drawing()) { review(state.objects[0] || null); if (state.objects.length) lifted(); else live(performance.now()); }
+  else lifted();
 }
 
-function offer(blob, name) {
-  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-
-const stem = () => (open.name || "drawing").replace(/^.*[\\/]/, "").replace(/\.[^.]*$/, "") || "drawing";
-
-/* a file from anywhere: a picture, or corrections for the picture that is open */
-async function take(file) {
-  if (!/\.json$/i.test(file.name || "")) return load(file, file.name || "pasted picture");
-  if (!open.blob) return say("Open the picture first, then its corrections.", true);
+/* a file from anywhere: a picture, or corrections for what is open */
+async function takeFile(file) {
+  if (!/\.json$/i.test(file.name || "")) { await load(file, file.name || "photo.jpg"); return; }
   try {
-    change(shape.fromCorrections(JSON.parse(await file.text())));
-  } catch {
-    say(`${file.name} is not a corrections file.`, true);
+    const text = await file.text(), data = JSON.parse(text);
+    if (Array.isArray(data) || data?.strokes) { await load(file, file.name); return; }  // a drawing, not corrections
+    if (open.kind !== "picture" && !state.objects.length) { tell(say("pictureFirst"), true); return; }
+    const { x, y, width, height } = open.kind === "sketch" ? pad.frame() : { x: 0, y: 0, ...open };
+    const next = shape.fromCorrections(data, shape.shifted(state, -x, -y), open.name, width, height);
+    change(shape.shifted(next, x, y));
+    chooseSoon();
+  } catch (error) {
+    tell(say("notCorrections", { name: file.name, why: error.message }), true);
   }
-  return null;
 }
 
 /* ---- wiring */
-$("file").addEventListener("change", e => { if (e.target.files[0]) take(e.target.files[0]); e.target.value = ""; });
-$("draw").addEventListener("click", () => { view("pad"); say("Draw the object, then choose Make the solid."); });
-$("back").addEventListener("click", () => { view(open.blob ? "editor" : "welcome"); say("The drawing is kept for later."); });
-$("make").addEventListener("click", async () => load(await pad.picture(), "my drawing.png"));
-$("clear").addEventListener("click", () => { pad.clear(); buttons(); });
-$("straight").addEventListener("change", e => { pad.straight = e.target.checked; });
-$("dashed").addEventListener("change", e => { pad.dashed = e.target.checked; });
-$("pad").addEventListener("change", buttons);
-$("undo").addEventListener("click", () => travel(true));
-$("redo").addEventListener("click", () => travel(false));
-$("zoom-in").addEventListener("click", () => editor.zoom(1 / 1.4));
-$("zoom-out").addEventListener("click", () => editor.zoom(1.4));
-$("zoom-fit").addEventListener("click", () => editor.fit());
+for (const [id, does] of Object.entries({
+  draw: async () => { if (await mayDrop()) startSketch(); }, "start-draw": async () => { if (await mayDrop()) startSketch(); },
+  home: () => { if (state.sheet !== "welcome") { $("go-on").hidden = false; resume = { state, open }; state = { ...state, sheet: "welcome" }; view(); tell(say("kept")); } },
+  photo: () => photograph(blob => load(blob, "photo.jpg"), words => tell(words, true)), "start-photo": () => photograph(blob => load(blob, "photo.jpg"), words => tell(words, true)),
+  undo: () => travel(true), redo: () => travel(false), clear: () => pad.clear(), adjust: () => goTo("editor"), "draw-on": () => { goTo("pad"); review(state.objects[0] || null); },
+  download: () => take.open(), numbers: () => $("numbers-box").showModal(),
+  "zoom-in": () => drawing() ? pad.zoom(1.4) : editor.zoom(1 / 1.4), "zoom-out": () => drawing() ? pad.zoom(1 / 1.4) : editor.zoom(1.4), "zoom-fit": () => drawing() ? pad.fit() : editor.fit(),
+  swap: () => { if (state.objects.length) change(shape.swapped(state, selected)); },
+  anyway: () => { step({ ...state, guess: "", sure: null }); showAnswer(answer); tell(say("follows")); },
+  share: async () => {
+    const text = await packed(state);
+    if (!text) { tell(say("linkLong"), true); return; }
+    $("link-text").value = `${location.origin}/#d=${text}`;
+    $("link-box").showModal();
+  },
+  copy: async () => {
+    $("link-text").select();
+    try { await navigator.clipboard.writeText($("link-text").value); } catch { document.execCommand("copy"); }
+    tell(say("copied"));
+  },
+  refresh: async () => {
+    try { showStages((await server.stages(open.blob, correctionsNow())).stages); } catch (error) { tell(error.message, true); }
+  },
+})) $(id).addEventListener("click", does);
+
+let resume = null;
+$("go-on").addEventListener("click", async () => { if (resume) goBack(); else restore(await kept()); });
+function goBack() { ({ state, open } = resume); resume = null; view(); }
+
+for (const [id, does] of Object.entries({
+  file: e => { if (e.files[0]) takeFile(e.files[0]); }, shot: e => { if (e.files[0]) load(e.files[0], e.files[0].name); },
+  folder: async e => { const files = [...e.files]; if (files.length && await mayDrop() && !await strip.show(files)) tell(say("noPictures"), true); },
+})) $(id).addEventListener("change", e => { does(e.target); e.target.value = ""; });
+$("grid").addEventListener("change", e => pad.setGrid(e.target.value));
 $("pair").addEventListener("change", e => { editor.together = e.target.checked; });
-$("swap").addEventListener("click", () => { if (state.objects.length) change(shape.swapped(state, selected)); });
-$("which").addEventListener("change", e => { selected = Number(e.target.value); settings(); followed(); });
-$("projection").addEventListener("change", e => set(o => { o.projection = e.target.value; }));
-for (const part of ["name", "value", "unit"]) {
-  $(`size-${part}`).addEventListener("input", e => set(o => { o.size[part] = e.target.value; }));
+$("which").addEventListener("change", e => { selected = Number(e.target.value); showAnswer(answer); chooseSoon(); });
+$("pages").addEventListener("change", e => load(open.blob, open.name, Number(e.target.value)));
+$("projection").addEventListener("change", e => set(o => { o.projection = e.target.value; o.reading = 1; }));
+$("size-unit").addEventListener("change", e => set(o => { o.unit = e.target.value; }));
+for (const name of NAMES) {
+  $(`size-${name}`).addEventListener("input", e => typed(name, e.target.value, false));
+  $(`size-${name}`).addEventListener("change", e => typed(name, e.target.value, true));
 }
 $("settings").addEventListener("submit", e => e.preventDefault());
-$("tools").addEventListener("click", e => { if (e.target.dataset.tool) pick(e.target.dataset.tool); });
-$("tools").addEventListener("keydown", e => {
-  const list = [...$("tools").children], k = list.indexOf(document.activeElement);
-  const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[e.key];
-  if (!step || k < 0) return;
-  const next = list[(k + step + list.length) % list.length];
-  pick(next.dataset.tool);
-  next.focus();
+$("numbers-box").querySelector("form").addEventListener("submit", e => {
   e.preventDefault();
+  const [x1, y1, x2, y2] = ["from-x", "from-y", "to-x", "to-y"].map(id => Number($(id).value));
+  pad.addLine([x1, y1], [x2, y2]);
+  $("from-x").value = x2;
+  $("from-y").value = y2;
+  $("to-x").focus();
 });
-$("download").addEventListener("click", async () => {
-  const format = $("format").value;
-  try {
-    offer(await server.mesh(format, shape.corrections(state, open.width, open.height)), `${stem()}.${format}`);
-    say(`${stem()}.${format} is in your downloads.`);
-  } catch (error) {
-    say(error.message, true);
-  }
-});
-$("save").addEventListener("click", () => {
-  const text = JSON.stringify({ ...shape.corrections(state, open.width, open.height), source: open.name }, null, 1);
-  offer(new Blob([text], { type: "application/json" }), `${stem()}.corrections.json`);
-});
-$("refresh").addEventListener("click", async () => {
-  try {
-    showStages((await server.stages(open.blob, shape.corrections(state, open.width, open.height))).stages);
-  } catch (error) {
-    say(error.message, true);
-  }
-});
+$("numbers-box").querySelector(".close").addEventListener("click", () => $("numbers-box").close());
+for (const [id, key, does] of [["tools", "tool", pick], ["pad-tools", "pad", pickPad]]) {
+  $(id).addEventListener("click", e => { const button = e.target.closest("button"); if (button) does(button.dataset[key]); });
+  $(id).addEventListener("keydown", e => {
+    const list = [...$(id).children], k = list.indexOf(document.activeElement);
+    const way = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[e.key];
+    if (!way || k < 0) return;
+    const next = list[(k + way + list.length) % list.length];
+    does(next.dataset[key]);
+    next.focus();
+    e.preventDefault();
+  });
+}
 document.addEventListener("keydown", e => {
-  const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && e.target.type !== "checkbox";
+  const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && !["checkbox", "range"].includes(e.target.type);
   const command = e.ctrlKey || e.metaKey, key = e.key.toLowerCase();
-  if (command && (key === "z" || key === "y") && !typing) {
+  if (typing || document.querySelector("dialog[open]")) return;
+  if (command && (key === "z" || key === "y")) {
     e.preventDefault();
     travel(key === "z" && !e.shiftKey);
-  } else if (!command && !e.altKey && !typing && !$("tools").hidden) {
-    const tool = { m: "move", a: "add", d: "delete", t: "trace" }[key];
+  } else if (!command && !e.altKey && state.sheet === "editor" && e.target.id !== "solid") {
+    const tool = { m: "move", a: "add", d: "delete", t: "trace", r: "front" }[key];
     if (tool) pick(tool);
+    if (key === "escape") editor.cancel();
+  } else if (!command && !e.altKey && drawing() && e.target.id !== "solid") {
+    const tool = { p: "pen", d: "dashed", e: "erase", s: "select" }[key];
+    if (tool) pickPad(tool);
+    if (key === " " && e.target.id === "pad") { pad.space = true; e.preventDefault(); }
   }
 });
+document.addEventListener("keyup", e => { if (e.key === " ") pad.space = false; });
 document.addEventListener("paste", e => {
   const file = [...(e.clipboardData?.files || [])][0];
-  if (file) { e.preventDefault(); take(file); }
+  if (file) { e.preventDefault(); takeFile(file); }
 });
 document.addEventListener("dragover", e => { e.preventDefault(); document.body.classList.add("dropping"); });
 document.addEventListener("dragleave", e => { if (!e.relatedTarget) document.body.classList.remove("dropping"); });
 document.addEventListener("drop", e => {
   e.preventDefault();
   document.body.classList.remove("dropping");
-  if (e.dataTransfer?.files[0]) take(e.dataTransfer.files[0]);
+  if (e.dataTransfer?.files[0]) takeFile(e.dataTransfer.files[0]);
 });
 
-/* ---- examples */
-async function openExample(name, title) {
-  try { await load(await server.example(name), `${title.toLowerCase()}.png`); } catch (error) { say(error.message, true); }
+/* ---- what was kept, what a link holds */
+async function restore(work) {
+  if (!work) return;
+  if (work.kind === "picture" && work.blob) {
+    await load(work.blob, work.name, work.page);
+    if (JSON.stringify(work.state.objects) !== JSON.stringify(state.objects)) change({ ...state, objects: work.state.objects, loose: work.state.loose });
+  } else if (work.state?.strokes) startSketch(work.state.strokes, work.state.objects);
 }
 
-server.examples().then(({ examples }) => {
-  const titles = Object.fromEntries(examples.map(e => [e.name, e.title]));
-  $("examples").append(...examples.map(e => new Option(e.title, e.name)));
-  $("examples").addEventListener("change", e => { if (e.target.value) openExample(e.target.value, titles[e.target.value]); e.target.value = ""; });
-  $("gallery").append(...examples.map(e => {
+async function fromLink() {
+  const text = /^#d=([\w-]+)$/.exec(location.hash)?.[1];
+  if (!text) return false;
+  try {
+    const { strokes, wishes } = await unpacked(text);
+    if (!await mayDrop()) return true;
+    startSketch(strokes, wishes.map(w => ({ ...shape.newObject([], []), ...w })));
+    window.history.replaceState(null, "", "/");
+  } catch {
+    tell(say("linkBad"), true);
+  }
+  return true;
+}
+addEventListener("hashchange", fromLink);
+
+/* ---- first screen */
+async function openExample({ name, title }) {
+  try { await load(await server.example(name), `${title.toLowerCase()}.png`); } catch (error) { tell(error.message, true); }
+}
+
+function hero() {
+  const f = [[0, 0], [0, 120], [120, 120], [120, 70], [50, 70], [50, 0]].map(([x, y]) => [x, y]), n = f.length;
+  const vertices = [...f.map(([x, y]) => [x, y, 0]), ...f.map(([x, y]) => [x, y, 90])];
+  const caps = [[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4]].flatMap(t => [[t[0], t[2], t[1]], t.map(k => k + n)]);
+  const sides = f.flatMap((_, k) => { const j = (k + 1) % n; return [[k, j, j + n], [k, j + n, k + n]]; });
+  const edges = f.flatMap((_, k) => [[k, (k + 1) % n], [k + n, (k + 1) % n + n], [k, k + n]]);
+  const show = new SolidView($("hero-solid"), { vertices, triangles: [...caps, ...sides], edges, view: [28, 22] }, { still: true, hidden: false, colours: colours(document.body) });
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+  let before = performance.now();
+  const turn = now => {
+    if (state.sheet === "welcome" && !document.hidden) show.turn((now - before) * 0.014, 0);
+    before = now;
+    requestAnimationFrame(turn);
+  };
+  requestAnimationFrame(turn);
+}
+
+async function begin() {
+  hero();
+  settings();
+  view();
+  tell(say("welcome"));
+  const work = await kept(), type = performance.getEntriesByType("navigation")[0]?.type;
+  if (!await fromLink()) {
+    if (work && (type === "reload" || type === "back_forward")) restore(work);
+    else $("go-on").hidden = !work;
+  }
+  try {
+    about = await server.about();
+  } catch (error) {
+    tell(error.message, true);
+    return;
+  }
+  take.offers(about.formats);
+  $("gallery").append(...about.examples.map(e => {
     const item = document.createElement("li"), button = document.createElement("button");
     button.type = "button";
-    button.append(Object.assign(document.createElement("img"), { src: `/examples/${e.name}.png`, alt: "" }), e.title);
-    button.addEventListener("click", () => openExample(e.name, e.title));
+    button.append(Object.assign(document.createElement("img"), { src: `/examples/${e.name}.png`, alt: "", loading: "lazy" }), e.title);
+    button.addEventListener("click", () => openExample(e));
     item.append(button);
     return item;
   }));
-}, error => say(error.message, true));
+}
 
-settings();
-buttons();
+begin();

@@ -1,5 +1,6 @@
 /* The drawing with its vertices as an SVG that can be edited with mouse, pen, finger and keyboard. */
 import * as shape from "./shape.js";
+import { say } from "./words.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const SPOT = 6, HALO = 15, SNAP = 10;  // screen pixels
@@ -22,20 +23,21 @@ export class Editor {
     this.drag = null;
     this.trace = null;
     this.fingers = new Map();
-    this.open("", 640, 480, { objects: [], loose: [] }, []);
+    this.open({ width: 640, height: 480 }, { objects: [], loose: [] }, []);
     svg.addEventListener("pointerdown", e => this.down(e));
     svg.addEventListener("pointermove", e => this.move(e));
     svg.addEventListener("pointerup", e => this.up(e));
-    svg.addEventListener("pointercancel", e => this.up(e));
+    svg.addEventListener("pointercancel", e => { this.fingers.delete(e.pointerId); this.cancel(); });
     svg.addEventListener("dblclick", () => this.closeTrace());
-    svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(Math.exp(e.deltaY / 500), this.at(e)); }, { passive: false });
+    svg.addEventListener("wheel", e => { if (!e.ctrlKey && !e.metaKey) return; e.preventDefault(); this.zoom(Math.exp(e.deltaY / 500), this.at(e)); }, { passive: false });
     svg.addEventListener("keydown", e => this.key(e));
     svg.addEventListener("focusin", e => this.choose(this.nameOf(e.target)));
     new ResizeObserver(() => this.paint()).observe(svg);
   }
 
-  open(picture, width, height, state, corners) {
-    Object.assign(this, { picture, width, height, state, corners, chosen: null, trace: null, drag: null });
+  /* sheet: {picture: address, strokes, x, y, width, height}: what lies under the vertices, and where */
+  open(sheet, state, corners) {
+    Object.assign(this, { picture: "", strokes: [], x: 0, y: 0, ...sheet, state, corners, chosen: null, trace: null, drag: null });
     this.fit();
   }
 
@@ -44,18 +46,12 @@ export class Editor {
   setTool(tool) { this.tool = tool; this.trace = null; this.svg.dataset.tool = tool; this.paint(); this.say(); }
 
   say() {
-    const words = {
-      move: "Drag a vertex to its place; drag beside it to move the drawing, wheel or pinch to zoom.",
-      add: "Click near an edge to put a vertex into it; its partner on the other face comes with it.",
-      delete: "Click a vertex to delete it with its partner.",
-      face: "Click a vertex to give it to the other face. Loose vertices go from none to front to back.",
-      trace: "Click around the front face, corner by corner; click the first one again to close it. A ring inside a face is a hole.",
-    };
-    this.on.hint(this.trace?.closed ? "Now click where the marked corner lies on the back face." : words[this.tool]);
+    const words = { move: "hintMove", add: "hintAdd", delete: "hintRemove", face: "hintExchange", front: "hintFront", trace: "hintTrace" };
+    this.on.hint(say(this.trace?.closed ? "hintTraceBack" : words[this.tool]));
   }
 
   /* ---- view */
-  fit() { this.box = [-0.5 - this.width * 0.03, -0.5 - this.height * 0.03, this.width * 1.06, this.height * 1.06]; this.paint(); }
+  fit() { this.box = [this.x - 0.5 - this.width * 0.03, this.y - 0.5 - this.height * 0.03, this.width * 1.06, this.height * 1.06]; this.paint(); }
 
   zoom(factor, at) {
     const [x, y, w, h] = this.box;
@@ -87,10 +83,11 @@ export class Editor {
     const focused = this.nameOf(document.activeElement);
     this.svg.setAttribute("viewBox", this.box.join(" "));
     const page = document.createDocumentFragment();
-    if (this.picture) element("image", { href: this.picture, x: -0.5, y: -0.5, width: this.width, height: this.height, preserveAspectRatio: "none" }, page);
+    if (this.picture) element("image", { href: this.picture, x: this.x - 0.5, y: this.y - 0.5, width: this.width, height: this.height, preserveAspectRatio: "none" }, page);
+    for (const stroke of this.strokes) element("polyline", { points: stroke.points.map(p => `${p[0]},${p[1]}`).join(" "), class: "stroke" }, page);
     for (const object of this.state.objects) this.paintObject(object, page);
     if (["trace", "face", "add"].includes(this.tool)) {
-      for (const [x, y] of this.corners) element("circle", { cx: x, cy: y, r: 2.5 * this.unit, fill: "#39414d", "fill-opacity": 0.5 }, page);
+      for (const [x, y] of this.corners) element("circle", { cx: x, cy: y, r: 2.5 * this.unit, class: "corner-dot" }, page);
     }
     this.state.objects.forEach((object, k) => shape.rings(object).forEach((ring, r) => [2, 1].forEach(face =>
       ring[`f${face}`].forEach((_, index) => this.paintVertex({ object: k, ring: r, face, index }, page)))));
@@ -114,10 +111,10 @@ export class Editor {
   paintVertex(name, page) {
     const [x, y] = shape.where(this.state, name);
     const face = "loose" in name ? this.state.loose[name.loose].face : name.face;
-    const words = ["Loose", "Front", "Back"][face] + ` vertex ${("loose" in name ? name.loose : name.index) + 1}` + (name.ring ? ` of hole ${name.ring}` : "");
+    const words = say(["vertexLoose", "vertexFront", "vertexBack"][face], { n: ("loose" in name ? name.loose : name.index) + 1 }) + (name.ring ? ` ${say("ofHole", { n: name.ring })}` : "");
     const spot = element("g", {
       class: `vertex f${face}${shape.same(name, this.chosen) ? " chosen" : ""}`, tabindex: 0, role: "button", "data-name": JSON.stringify(name),
-      "aria-label": `${words}, at ${Math.round(x)}, ${Math.round(y)}`,
+      "aria-label": `${words}, ${say("at", { x: Math.round(x), y: Math.round(y) })}`,
     }, page);
     element("circle", { cx: x, cy: y, r: HALO * this.unit, class: "halo" }, spot);
     element("circle", { cx: x, cy: y, r: SPOT * this.unit, class: "spot" }, spot);
@@ -127,7 +124,7 @@ export class Editor {
     if (!this.trace) return;
     const { points, closed, pointer } = this.trace;
     element(closed ? "polygon" : "polyline", { points: [...points, ...(closed || !pointer ? [] : [pointer])].map(p => p.join(",")).join(" "), class: "trace" }, page);
-    points.forEach((p, k) => element("circle", { cx: p[0], cy: p[1], r: (k ? 4 : 7) * this.unit, fill: k ? "#0062b2" : "#000" }, page));
+    points.forEach((p, k) => element("circle", { cx: p[0], cy: p[1], r: (k ? 4 : 7) * this.unit, class: "dot" }, page));
     if (closed && pointer) element("line", { x1: points[0][0], y1: points[0][1], x2: pointer[0], y2: pointer[1], class: "join" }, page);
   }
 
@@ -160,7 +157,8 @@ export class Editor {
     if (this.fingers.size > 1) { this.drag = null; this.pinch = null; return; }
     const name = this.reach(e), at = this.at(e);
     if (name) { e.preventDefault(); this.focus(name); }
-    if (this.tool === "trace") this.traceClick(at);
+    if (this.tool === "front") { const next = shape.fronted(this.state, at); if (next !== this.state) this.commit(next); }
+    else if (this.tool === "trace") this.traceClick(at);
     else if (this.tool === "add" && !name) this.addAt(at);
     else if (this.tool === "delete" && name) this.remove(name);
     else if (this.tool === "face" && name) this.commit(shape.reassigned(this.state, name));
@@ -187,6 +185,14 @@ export class Editor {
     this.pinch = null;
     if (this.drag?.moved) this.on.change(this.state, true);
     this.drag = null;
+  }
+
+  /* Escape: what is being dragged goes back */
+  cancel() {
+    if (this.drag?.start && this.drag.moved) { this.state = this.drag.start; this.on.change(this.state, true); }
+    this.drag = this.trace = null;
+    this.paint();
+    this.say();
   }
 
   pan(from, to) { this.box[0] += from[0] - to[0]; this.box[1] += from[1] - to[1]; this.paint(); }
@@ -254,7 +260,7 @@ export class Editor {
 
   /* ---- keyboard */
   key(e) {
-    if (e.key === "Escape" && this.trace) { this.trace = null; this.paint(); this.say(); return; }
+    if (e.key === "Escape") { this.cancel(); return; }
     if (e.key === "Enter" && this.trace) { this.closeTrace(); return; }
     const name = this.nameOf(e.target);
     if (!name || e.ctrlKey || e.metaKey || e.altKey) return;

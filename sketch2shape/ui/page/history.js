@@ -1,4 +1,6 @@
 /* Undo and redo: whole states kept as text, so that nothing can be shared between them. */
+const MOST = 300;
+
 export class History {
   constructor(state) { this.reset(state); }
 
@@ -9,16 +11,17 @@ export class History {
     const text = JSON.stringify(state);
     if (text === this.present) return;
     this.past.push(this.present);
-    if (this.past.length > 500) this.past.shift();
+    if (this.past.length > MOST) this.past.shift();
     this.present = text;
     this.future = [];
   }
 
+  /* the present state told more exactly: no step of its own */
+  amend(state) { this.present = JSON.stringify(state); }
+
   get canUndo() { return this.past.length > 0; }
 
   get canRedo() { return this.future.length > 0; }
-
-  get edited() { return this.past.length > 0; }
 
   undo() { return this.step(this.past, this.future); }
 

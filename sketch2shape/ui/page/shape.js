@@ -1,7 +1,11 @@
-/* Changes to what was found, as functions of a state that return a new one. A state is
-     {objects: [{f1, f2, holes: [{f1, f2}], projection, size: {name, value, unit}}], loose: [{x, y, face}]}
-   f1[i] joins f2[i]; points are [x, y] in picture pixels. A vertex is named by {object, ring, face, index}: ring 0 is the outer one,
-   the others are holes, face is 1 or 2; or by {loose: index}. */
+/* Changes to what was found, as functions of a state that return a new one. Of a state they use
+     {objects: [{f1, f2, holes: [{f1, f2}], projection, reading, sizes: {width, height, depth}, unit}], loose: [{x, y, face}]}
+   and keep whatever else it has. f1[i] joins f2[i]; points are [x, y] in picture pixels; a size is the text of a number, ""
+   if it is not given. A vertex is named by {object, ring, face, index}: ring 0 is the outer one, the others are holes, face
+   is 1 or 2; or by {loose: index}. */
+import { given, lengthOf } from "./sizes.js";
+
+const SIZES = ["width", "height", "depth"];
 
 export const copy = state => JSON.parse(JSON.stringify(state));
 
@@ -16,7 +20,15 @@ export function where(state, name) {
 export const same = (a, b) => !!a && !!b && JSON.stringify(a) === JSON.stringify(b);
 
 export function newObject(f1, f2) {
-  return { f1, f2, holes: [], projection: "auto", size: { name: "width", value: "", unit: "mm" } };
+  return { f1, f2, holes: [], projection: "auto", reading: 1, sizes: { width: "", height: "", depth: "" }, unit: "mm" };
+}
+
+/* objects as found, with what was wished for those at the same places before */
+export function withWishes(found, before) {
+  return found.map((o, k) => {
+    const { projection, sizes, unit } = before[k] || newObject();
+    return { ...newObject(o.f1, o.f2), holes: o.holes, lines: o.lines, projection, sizes, unit };
+  });
 }
 
 /* the vertex moved to a point; its partner on the other face along with it if `together` */
@@ -113,26 +125,112 @@ export function withObject(state, f1, f2) {
   return next;
 }
 
-/* what the server and the command take: the corrections file; `families` are kept where the projection is to be told
+/* the faces of an object as rings: front, back, then the sides of a box */
+function facesOf({ f1, f2 }) {
+  const side = (i, j) => [f1[i], f1[j], f2[j], f2[i]];
+  return [f1, f2, ...(f1.length === 4 && f2.length === 4 ? [0, 1, 2, 3].map(i => side(i, (i + 1) % 4)) : [])];
+}
+
+/* the object with the face around a point as its front; the same state if there is no such face. Of faces that lie over each
+   other the one whose middle is nearest is meant */
+export function fronted(state, point) {
+  let best = null;
+  state.objects.forEach((object, k) => facesOf(object).forEach((ring, face) => {
+    if (!inside(point, ring)) return;
+    const centre = [0, 1].map(c => ring.reduce((s, p) => s + p[c], 0) / ring.length);
+    const away = Math.hypot(centre[0] - point[0], centre[1] - point[1]);
+    if (!best || away < best.away) best = { away, k, face };
+  }));
+  if (!best || best.face === 0) return state;
+  if (best.face === 1) return swapped(state, best.k);
+  const next = copy(state), object = next.objects[best.k];
+  if (object.holes.length) return state;  // they go through the other pair of faces
+  const { f1, f2 } = object, at = n => (best.face - 2 + n) % 4;
+  object.f1 = [f1[at(0)], f1[at(1)], f2[at(1)], f2[at(0)]];
+  object.f2 = [f1[at(3)], f1[at(2)], f2[at(2)], f2[at(3)]];
+  return next;
+}
+
+/* the corrections file of a state; `families` are the projections told last, kept for objects whose projection is to be told
    from the drawing, as while a vertex is on its way and the drawing is not what it will be */
 export function corrections(state, width, height, families = []) {
   const objects = state.objects.map((o, k) => {
     const projection = o.projection === "auto" && families[k] || o.projection;
     const said = { f1: o.f1, f2: o.f2, holes: o.holes, projection };
-    if (Number(o.size.value) > 0) said[o.size.name] = `${Number(o.size.value)}${o.size.unit}`;
+    if (o.reading > 1) said.reading = o.reading;
+    for (const name of SIZES) {
+      const size = lengthOf(o.sizes[name], o.unit);
+      if (size) said[name] = `${size.value}${size.unit}`;
+    }
     return said;
   });
-  return { schema: "sketch2shape-corrections/1", width, height, objects };
+  return { schema: "sketch2shape-corrections/1", width: Math.round(width), height: Math.round(height), objects };
 }
 
-/* the state that a corrections file or a report describes */
-export function fromCorrections(data) {
-  const ring = r => ({ f1: r.f1, f2: r.f2 || r.f1.map(p => [p[0] + r.d[0], p[1] + r.d[1]]) });
-  const objects = data.objects.map(o => {
-    const name = ["width", "height", "depth"].find(n => o[n] !== undefined);
-    const [, value, unit] = name ? /^([\d.]+)\s*(mm|cm|m|in)?$/.exec(String(o[name])) || [] : [];
-    const family = typeof o.projection === "object" ? o.projection.family : o.projection;
-    return { ...ring(o), holes: (o.holes || []).map(ring), projection: family || "auto", size: { name: name || "width", value: value || "", unit: unit || "mm" } };
-  });
-  return { objects, loose: [] };
+/* all points of a state moved */
+export function shifted(state, dx, dy) {
+  const next = copy(state), move = ring => ring.forEach(p => { p[0] += dx; p[1] += dy; });
+  next.objects.forEach(o => rings(o).forEach(r => { move(r.f1); move(r.f2); }));
+  next.loose.forEach(v => { v.x += dx; v.y += dy; });
+  return next;
+}
+
+const isPoint = p => Array.isArray(p) && p.length === 2 && p.every(Number.isFinite);
+
+function ringOf(data, points) {
+  if (!Array.isArray(data)) throw new Error("a ring is no list");
+  const ring = points && data.every(Number.isInteger) ? data.map(k => points[k]) : data;
+  if (ring.length < 1 || !ring.every(isPoint)) throw new Error("a ring is no list of points [x, y]");
+  return ring.map(p => [...p]);
+}
+
+function pairOf(data, points, shift) {
+  const f1 = ringOf(data.f1, points), d = data.d || shift;
+  if (!data.f2 && !isPoint(d)) throw new Error("f2 or d is missing");
+  const f2 = data.f2 ? ringOf(data.f2, points) : f1.map(p => [p[0] + d[0], p[1] + d[1]]);
+  if (f1.length !== f2.length || f1.length < 3) throw new Error("f1 and f2 do not match");
+  return { f1, f2 };
+}
+
+/* the entry for a picture: of the file itself, or of its "pictures" the one whose name the picture's name ends with */
+function entryFor(data, name) {
+  if (!data || typeof data !== "object") throw new Error("it holds no object");
+  if (!data.pictures) return data;
+  const ends = Object.keys(data.pictures).filter(k => `/${name}`.endsWith(`/${k}`) || `/${k}`.endsWith(`/${name}`));
+  if (!ends.length) throw new Error(`it says nothing of ${name}`);
+  return data.pictures[ends.sort((a, b) => b.length - a.length)[0]];
+}
+
+/* the state that a corrections file or a report makes of the present one, for the picture of this name and size. Raises an
+   Error with the reason, and then nothing has changed */
+export function fromCorrections(data, state, name, width, height) {
+  const entry = entryFor(data, name);
+  if (!Array.isArray(entry?.objects)) throw new Error('it has no "objects"');
+  const scale = entry.width > 0 && entry.height > 0 ? [width / entry.width, height / entry.height] : [1, 1];
+  const objects = entry.objects.map((o, k) => corrected(o, k, state.objects[k], scale));
+  const rest = entry.objects.some(o => o.f1) ? [] : state.objects.slice(objects.length);
+  return { ...state, objects: [...objects, ...rest], loose: [] };
+}
+
+/* one object: its faces as the file gives them, or the old ones, with what the file says of it */
+function corrected(data, k, old, scale) {
+  if (!data || typeof data !== "object") throw new Error(`its object ${k + 1} is none`);
+  if (!data.f1 && !old) throw new Error(`nothing was found for its object ${k + 1}`);
+  const fit = ring => ring.map(p => [p[0] * scale[0], p[1] * scale[1]]);
+  let object = old && JSON.parse(JSON.stringify(old));
+  if (data.f1) {
+    const points = data.vertices && ringOf(data.vertices), outer = pairOf(data, points);
+    const shift = [0, 1].map(c => outer.f2[0][c] - outer.f1[0][c]), holes = (data.holes || []).map(h => pairOf(h, points, shift));
+    object = { ...newObject(fit(outer.f1), fit(outer.f2)), holes: holes.map(h => ({ f1: fit(h.f1), f2: fit(h.f2) })) };
+  }
+  const family = typeof data.projection === "object" ? data.projection?.family : data.projection;
+  if (family) object.projection = family;
+  if (Number.isInteger(data.reading)) object.reading = data.reading;
+  for (const size of SIZES) {
+    if (data[size] === undefined || data[size] === null) continue;
+    const length = lengthOf(String(data[size]), object.unit);
+    if (!length) throw new Error(`its ${size} is no length`);
+    given(object, size, length);
+  }
+  return object;
 }

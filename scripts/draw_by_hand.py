@@ -1,0 +1,180 @@
+"""How many solids come right that are drawn on the page by a hand that misses: `python scripts/draw_by_hand.py [EACH]`.
+
+Solids are drawn in Chromium, with the mouse on a laptop's screen and with a finger on a phone's, every stroke's ends
+missed by a normal error (4 and 3 CSS pixels for each coordinate) and its way wavering by a third of that. Right is an
+answer with the right number of vertices, each within 8 % of the drawing's diagonal of its true place, that is no guess.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+import time
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+REPOSITORY = Path(__file__).parents[1]
+sys.path.insert(0, str(REPOSITORY / "tests" / "ui"))
+
+from chromium import start_browser  # noqa: E402
+from selenium.webdriver import Chrome  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from server import start_app  # noqa: E402
+
+NEAR = 0.08
+"""Farthest that a vertex may be from its true place, as a fraction of the drawing's diagonal."""
+STEPS = 14
+"""Places along a stroke that the pointer is told."""
+
+
+class Screen(NamedTuple):
+    """Where it is drawn: name, size in CSS pixels, the pointer, and by how much the hand misses, pixels."""
+
+    name: str
+    width: int
+    height: int
+    touch: bool
+    error: float
+
+
+SCREENS = (Screen("mouse, 1366 x 768", 1366, 768, False, 4.0), Screen("touch, 360 x 640", 360, 640, True, 3.0))
+
+#: name -> front face in units of the sheet's lesser side, y down, and the way to the back face
+SOLIDS: dict[str, tuple[list[tuple[float, float]], tuple[float, float]]] = {
+    "box": ([(0.1, 0.4), (0.6, 0.4), (0.6, 0.85), (0.1, 0.85)], (0.3, -0.24)),
+    "L": ([(0.1, 0.3), (0.32, 0.3), (0.32, 0.6), (0.62, 0.6), (0.62, 0.88), (0.1, 0.88)], (0.28, -0.2)),
+    "house": ([(0.06, 0.5), (0.3, 0.28), (0.54, 0.5), (0.54, 0.9), (0.06, 0.9)], (0.36, -0.14)),
+    "wedge": ([(0.1, 0.85), (0.62, 0.85), (0.62, 0.42)], (0.28, -0.24)),
+    "hexagonal prism": (
+        [(0.4 + 0.28 * math.cos(t), 0.72 + 0.16 * math.sin(t)) for t in np.arange(6) * math.pi / 3 + 0.2],
+        (0.0, -0.48),
+    ),
+}
+CYLINDER = (0.45, 0.75, 0.3, 0.11, 0.5)
+"""Centre, half axes and height of the standing cylinder, in the same units."""
+
+
+def strokes_of(name: str, side: float) -> tuple[list[list[tuple[float, float]]], list[tuple[float, float]]]:
+    """The strokes as paths of places on the sheet, and the true vertices (of a cylinder the ends of its outlines)."""
+    if name == "cylinder":
+        x, y, a, b, h = (c * side for c in CYLINDER)
+        turns = np.linspace(0.4, 0.4 + 2 * math.pi, 40)
+        rims = [[(x + a * math.cos(t), y - up + b * math.sin(t)) for t in turns] for up in (0.0, h)]
+        sides = [[(x + s * a, y), (x + s * a, y - h)] for s in (-1, 1)]
+        return [*rims, *sides], [place for line in sides for place in line]
+    front, way = SOLIDS[name]
+    f1 = [(x * side, y * side) for x, y in front]
+    f2 = [(x + way[0] * side, y + way[1] * side) for x, y in f1]
+    n = len(f1)
+    rings = [[f[i], f[(i + 1) % n]] for f in (f1, f2) for i in range(n)]
+    return [*rings[:n], *([p, q] for p, q in zip(f1, f2, strict=True)), *rings[n:]], f1 + f2
+
+
+def by_hand(path: list[tuple[float, float]], error: float, rng: np.random.Generator) -> np.ndarray:
+    """Where the pointer goes: the ends missed, the way between wavering, smoothly."""
+    points = np.array(path, float)
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    count = max(STEPS, len(path))
+    at = np.linspace(0.0, 1.0, count)
+    places = np.stack([np.interp(at * along[-1], along, points[:, c]) for c in (0, 1)], axis=1)
+    missed = rng.normal(0.0, error, (2, 2))
+    waver = rng.normal(0.0, error / 3, (count, 2))
+    waver = (waver + np.roll(waver, 1, axis=0) + np.roll(waver, -1, axis=0)) / 3
+    return places + (1 - at)[:, None] * missed[0] + at[:, None] * missed[1] + waver
+
+
+def pointer(page: Chrome, kind: str, x: float, y: float, touch: bool) -> None:
+    """One event of the real browser's input."""
+    if touch:
+        points = [] if kind == "up" else [{"x": x, "y": y, "radiusX": 9, "radiusY": 9}]
+        event = {"down": "touchStart", "move": "touchMove", "up": "touchEnd"}[kind]
+        page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": event, "touchPoints": points})
+        return
+    event = {"down": "mousePressed", "move": "mouseMoved", "up": "mouseReleased"}[kind]
+    page.execute_cdp_cmd(
+        "Input.dispatchMouseEvent",
+        {"type": event, "x": x, "y": y, "button": "left", "buttons": 0 if kind == "up" else 1, "clickCount": 1},
+    )
+
+
+def stroke(page: Chrome, path: np.ndarray, touch: bool) -> None:
+    """One stroke of the pen over the screen."""
+    for k, (x, y) in enumerate(path.tolist()):
+        pointer(page, "move" if k else "down", x, y, touch)
+    pointer(page, "up", *path[-1].tolist(), touch)
+
+
+def show_screen(page: Chrome, screen: Screen) -> None:
+    size = {"width": screen.width, "height": screen.height, "deviceScaleFactor": 1, "mobile": screen.touch}
+    page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    page.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": screen.touch, "maxTouchPoints": 2})
+
+
+def settled(page: Chrome, seconds: float = 60.0) -> None:
+    """Wait until the solid of the last stroke is there."""
+    end = time.monotonic() + seconds
+    time.sleep(0.15)
+    while page.execute_script("return window.timings.busy()"):
+        if time.monotonic() > end:
+            raise TimeoutError("no solid came")
+        time.sleep(0.05)
+
+
+def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
+    """Are the vertices those of the solid that was meant?"""
+    if state["guess"] or len(state["objects"]) != 1:
+        return False
+    found = state["objects"][0]
+    if name == "cylinder":
+        return found.get("shape") == "cylinder"
+    vertices = np.array(found["f1"] + found["f2"])
+    if vertices.shape != truth.shape or found["holes"]:
+        return False
+    gaps = np.linalg.norm(vertices[:, None] - truth[None], axis=2)
+    reach = NEAR * float(np.linalg.norm(np.ptp(truth, axis=0)))
+    return bool((gaps.min(axis=0) < reach).all() and len(set(gaps.argmin(axis=1).tolist())) == len(truth))
+
+
+def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator) -> bool:
+    """Draw a solid and say whether it came right."""
+    page.execute_script("window.timings.fresh()")
+    x, y, width, height = page.execute_script(
+        "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]"
+    )
+    side = 0.94 * min(width, height)
+    paths, truth = strokes_of(name, side)
+    for path in paths:
+        stroke(page, by_hand(path, screen.error, rng) + (x + 6, y + 6), screen.touch)
+    settled(page)
+    state = json.loads(page.execute_script("return JSON.stringify(window.timings.state())"))
+    return is_right(name, state, np.array(truth) + 6)
+
+
+def main(each: int) -> None:
+    names = [*SOLIDS, "cylinder"]
+    print("| solid | " + " | ".join(s.name for s in SCREENS) + " |\n|---|" + "---|" * len(SCREENS))
+    table: dict[str, list[int]] = {name: [] for name in names}
+    waits: list[float] = []
+    with start_app() as address, start_browser() as page:
+        for screen in SCREENS:
+            show_screen(page, screen)
+            page.get(address)
+            loaded = "const d = arguments[0], t = () => window.timings ? d() : setTimeout(t, 50); t()"
+            page.execute_async_script(loaded)
+            page.find_element(By.ID, "start-draw").click()
+            for name in names:
+                rng = np.random.default_rng([each, len(name), screen.width])
+                table[name].append(sum(draw_one(page, name, screen, rng) for _ in range(each)))
+            waits += page.execute_script("return window.timings.sketch")
+    for name, right in table.items():
+        print(f"| {name} | " + " | ".join(f"{r} of {each}" for r in right) + " |")
+    sums = [sum(column) for column in zip(*table.values(), strict=True)]
+    print("| all | " + " | ".join(f"{s} of {each * len(names)}" for s in sums) + " |")
+    print(f"\nFrom the end of a stroke to its solid: median {np.median(waits):.0f} ms of {len(waits)}.")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 10)

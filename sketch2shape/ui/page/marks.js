@@ -1,0 +1,54 @@
+/* What is wrong with a drawing, in plain words at the place where it is. */
+import { middle } from "./geometry.js";
+import { looseEnds, undrawn } from "./tidy.js";
+import { count, say } from "./words.js";
+
+/* loose ends nearer than this were meant to meet, CSS pixels; strokes this near an edge draw it */
+const NEAR = 45, ALONG = 14;
+/* labels shown at once: more would hide the drawing */
+const MOST_LABELS = 3;
+
+/* what is wrong: {loose: [{point, other}], missing: [[a, b]]}. Ends are told once there is enough to belong together; edges
+   once something was found that has them and that is not a drawing without hidden lines */
+export function faults(strokes, found, unit) {
+  const loose = strokes.length > 2 ? looseEnds(strokes, NEAR * unit) : [];
+  const edges = found && found.lines !== "removed" ? edgesOf(found) : [];
+  return { loose, missing: undrawn(edges, strokes, ALONG * unit) };
+}
+
+function edgesOf({ f1, f2, holes }) {
+  return [{ f1, f2 }, ...holes].flatMap(ring => {
+    const n = ring.f1.length, next = k => (k + 1) % n;
+    const around = f => f.length === n ? f.map((p, k) => [p, f[next(k)]]) : [];
+    const across = ring.f1.map((p, k) => [p, ring.f2[ring.f2.length === n ? k : 0]]);
+    return [...around(ring.f1), ...around(ring.f2), ...across];
+  }).filter(([a, b]) => a && b);
+}
+
+/* the faults counted, in one sentence; "" if there are none */
+export function told({ loose, missing }) {
+  const apart = loose.filter(l => l.other).length, pairs = Math.ceil(apart / 2), ends = loose.length - apart;
+  return [pairs && count("dontMeet", pairs), ends && count("loose", ends), missing.length && count("missing", missing.length)].filter(Boolean).join(", ");
+}
+
+/* labels beside the faults: `place` takes the sheet to the screen, `join` brings ends together */
+export function label(box, marks, place, join) {
+  const seen = [];
+  for (const { point, other } of marks.loose) {
+    // an end that is merely loose may be waiting for its line: its ring is enough
+    if (!other || seen.some(s => s.key === String(other))) continue;
+    seen.push({ key: String(point), at: middle(point, other), words: say("dontMeet") });
+  }
+  for (const [a, b] of marks.missing) seen.push({ at: middle(a, b), words: say("missingEdge") });
+  const labels = seen.slice(0, MOST_LABELS).map(({ at, words }) => {
+    const [x, y] = place(at), e = Object.assign(document.createElement("span"), { textContent: words });
+    Object.assign(e.style, { left: `${x}px`, top: `${y}px` });
+    return e;
+  });
+  if (marks.loose.some(l => l.other)) {
+    const button = Object.assign(document.createElement("button"), { type: "button", id: "join", textContent: say("joinThem") });
+    button.addEventListener("click", join);
+    labels.push(button);
+  }
+  box.replaceChildren(...labels);
+}

@@ -1,0 +1,419 @@
+/* The sheet to draw on with mouse, pen, finger and keyboard. It shows strokes and makes new ones; what becomes of them is the
+   page's business. Sheet units are CSS pixels at a zoom of one. */
+import { gap } from "./geometry.js";
+import { REACH, corners, dragged, endsOf, goesStraight, settled, snapped, strokeAt, tidied } from "./tidy.js";
+import { say } from "./words.js";
+
+/* a contact wider than this is a palm, CSS pixels; a finger does not draw for so long after a pen did, ms */
+const PALM = 55, AFTER_PEN = 20000;
+/* a second finger within this time and way of the first one zooms, later it locks the axis */
+const PINCH_MS = 250, PINCH_WAY = 14;
+/* grid cell, sheet units; margin round what is drawn */
+const CELL = 24, MARGIN = 28;
+const LEAST_ZOOM = 0.2, MOST_ZOOM = 8;
+const DASH = [9, 7];
+
+export class Pad {
+  /* on: {change(strokes): a step was made, say(words), paint(): the view has changed} */
+  constructor(canvas, on) {
+    Object.assign(this, { canvas, on, tool: "pen", gridKind: "", strokes: [], shown: null, marks: { loose: [], missing: [] } });
+    Object.assign(this, { view: { x: 0, y: 0, s: 1 }, current: null, grip: null, selected: new Set(), cursor: null, penTime: -AFTER_PEN, space: false });
+    this.fingers = new Map();
+    this.context = canvas.getContext("2d");
+    for (const [kind, does] of Object.entries({ pointerdown: "down", pointermove: "move", pointerup: "up", pointercancel: "drop", keydown: "key" })) {
+      canvas.addEventListener(kind, e => this[does](e));
+    }
+    canvas.addEventListener("wheel", e => this.wheel(e), { passive: false });
+    canvas.addEventListener("contextmenu", e => e.preventDefault());
+    document.addEventListener("keydown", e => { if (e.key === "Escape") this.cancel(); });
+    new ResizeObserver(() => this.paint()).observe(canvas);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
+  }
+
+  get unit() { return 1 / this.view.s; }
+
+  get grid() { return this.gridKind ? { kind: this.gridKind, cell: CELL } : null; }
+
+  show(strokes) {
+    this.strokes = strokes;
+    this.selected.clear();
+    this.current = this.grip = null;
+    this.paint();
+  }
+
+  /* the outline of what was found: {front: [ring, ...], sure} */
+  over(shown) { this.shown = shown; this.paint(); }
+
+  mark(marks) { this.marks = marks; this.paint(); }
+
+  setTool(tool) {
+    this.cancel();
+    this.tool = tool;
+    this.canvas.dataset.tool = tool;
+    this.selected.clear();
+    this.on.say({ erase: say("hintErase"), select: say("hintSelect"), hand: say("hintHand") }[tool] || say("hintPad"));
+    this.paint();
+  }
+
+  setGrid(kind) { this.gridKind = kind; this.paint(); }
+
+  /* a step is made: strokes as they are now */
+  commit(strokes) {
+    this.strokes = strokes;
+    this.paint();
+    this.on.change(strokes);
+  }
+
+  clear() { if (this.strokes.length) { this.selected.clear(); this.commit([]); } }
+
+  addLine(a, b) { if (gap(a, b) > 1) this.commit([...this.strokes, { points: [a, b], dashed: this.tool === "dashed" }]); }
+
+  /* each pair of loose ends that nearly meet is brought together halfway */
+  join() {
+    let strokes = this.strokes;
+    const done = [];
+    for (const { point, other } of this.marks.loose) {
+      if (!other || done.some(p => gap(p, point) < 1e-6 || gap(p, other) < 1e-6)) continue;
+      done.push(point, other);
+      strokes = dragged(strokes, other, point);
+    }
+    this.commit(strokes);
+  }
+
+  /* ---- view */
+  box() { return this.canvas.getBoundingClientRect(); }
+
+  at(e) {
+    const box = this.box();
+    return [(e.clientX - box.left) / this.view.s + this.view.x, (e.clientY - box.top) / this.view.s + this.view.y];
+  }
+
+  onScreen([x, y]) { return [(x - this.view.x) * this.view.s, (y - this.view.y) * this.view.s]; }
+
+  /* zoom about a place of the sheet */
+  zoom(factor, about) {
+    const box = this.box(), { x, y, s } = this.view;
+    const next = Math.min(MOST_ZOOM, Math.max(LEAST_ZOOM, s * factor));
+    const [cx, cy] = about || [x + box.width / 2 / s, y + box.height / 2 / s];
+    this.view = { x: cx - (cx - x) * s / next, y: cy - (cy - y) * s / next, s: next };
+    this.paint();
+  }
+
+  pan(dx, dy) { this.view = { ...this.view, x: this.view.x - dx / this.view.s, y: this.view.y - dy / this.view.s }; this.paint(); }
+
+  /* where the strokes are: {x, y, width, height} with a margin, whole units */
+  frame() {
+    const points = this.strokes.flatMap(s => s.points);
+    if (!points.length) return { x: 0, y: 0, width: 400, height: 300 };
+    const low = [0, 1].map(c => Math.floor(Math.min(...points.map(p => p[c]))) - MARGIN);
+    const high = [0, 1].map(c => Math.ceil(Math.max(...points.map(p => p[c]))) + MARGIN);
+    return { x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] };
+  }
+
+  fit() {
+    if (!this.strokes.length) this.view = { x: 0, y: 0, s: 1 };
+    else {
+      const { x, y, width, height } = this.frame(), box = this.box();
+      const s = Math.min(MOST_ZOOM, Math.max(LEAST_ZOOM, Math.min(box.width / width, box.height / height, 2)));
+      this.view = { s, x: x - (box.width / s - width) / 2, y: y - (box.height / s - height) / 2 };
+    }
+    this.paint();
+  }
+
+  /* the strokes as a PNG of the frame, dark on white, whatever the colours of the page */
+  picture() {
+    const frame = this.frame(), canvas = Object.assign(document.createElement("canvas"), { width: frame.width, height: frame.height });
+    const pen = canvas.getContext("2d");
+    pen.fillStyle = "#fff";
+    pen.fillRect(0, 0, frame.width, frame.height);
+    Object.assign(pen, { strokeStyle: "#1c2028", lineWidth: 2.5, lineCap: "round", lineJoin: "round" });
+    for (const stroke of this.strokes) this.trace(pen, stroke, p => [p[0] - frame.x, p[1] - frame.y]);
+    return new Promise(done => canvas.toBlob(done, "image/png"));
+  }
+
+  /* ---- pointers */
+  reachOf(e) { return REACH[e.pointerType] || REACH.mouse; }
+
+  isPalm(e) {
+    return e.pointerType === "touch" && (Math.max(e.width || 0, e.height || 0) > PALM || performance.now() - this.penTime < AFTER_PEN);
+  }
+
+  down(e) {
+    if (e.button > 1) return;
+    if (e.pointerType === "pen") this.penTime = performance.now();
+    if (this.isPalm(e)) return;
+    e.preventDefault();
+    this.canvas.focus({ preventScroll: true });
+    this.cursor = null;
+    this.fingers.set(e.pointerId, { x: e.clientX, y: e.clientY });
+    try { this.canvas.setPointerCapture(e.pointerId); } catch { /* it has gone already */ }
+    if (this.fingers.size === 2) { this.second(); return; }
+    if (this.fingers.size > 2) return;
+    const at = this.at(e);
+    if (this.tool === "hand" || e.button === 1 || this.space) this.grip = { pan: true };
+    else if (this.tool === "erase") { this.grip = { erase: true, before: this.strokes }; this.rub(e); }
+    else if (this.tool === "select") this.take(e, at);
+    else this.begin(e, at);
+    this.paint();
+  }
+
+  begin(e, at) {
+    const p = [...at, 0, e.pressure || 0];
+    this.current = { id: e.pointerId, time: e.timeStamp, reach: this.reachOf(e), path: [p], lock: e.shiftKey, dashed: this.tool === "dashed", way: 0 };
+    this.preview();
+  }
+
+  /* a second finger: zoom if the first has hardly moved, else lock the axis */
+  second() {
+    const c = this.current;
+    if (c && (performance.now() - c.time > PINCH_MS || c.way > PINCH_WAY)) { c.lock = true; this.preview(); return; }
+    this.cancel(true);
+    this.grip = { pinch: this.spread() };
+  }
+
+  spread() {
+    const [a, b] = [...this.fingers.values()];
+    return { gap: Math.hypot(a.x - b.x, a.y - b.y) || 1, x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  }
+
+  move(e) {
+    const finger = this.fingers.get(e.pointerId);
+    if (!finger) { if (e.pointerType !== "touch") this.hover(e); return; }
+    const before = { ...finger };
+    Object.assign(finger, { x: e.clientX, y: e.clientY });
+    if (this.grip?.pinch && this.fingers.size === 2) {
+      const now = this.spread(), old = this.grip.pinch;
+      this.pan(now.x - old.x, now.y - old.y);
+      this.zoom(now.gap / old.gap, this.at({ clientX: now.x, clientY: now.y }));
+      this.grip.pinch = now;
+    } else if (this.grip?.pan) this.pan(e.clientX - before.x, e.clientY - before.y);
+    else if (this.grip?.erase) this.rub(e);
+    else if (this.grip) this.haul(e);
+    else if (this.current?.id === e.pointerId) {
+      const c = this.current;
+      for (const part of e.getCoalescedEvents?.() || []) c.path.push([...this.at(part), Math.round(part.timeStamp - c.time), part.pressure || 0]);
+      c.path.push([...this.at(e), Math.round(e.timeStamp - c.time), e.pressure || 0]);
+      c.way += Math.hypot(e.clientX - before.x, e.clientY - before.y);
+      c.lock = e.shiftKey || this.fingers.size > 1;
+      this.preview();
+    }
+    this.paint();
+  }
+
+  hover(e) {
+    if (!["pen", "dashed"].includes(this.tool)) return;
+    const near = snapped(this.at(e), this.strokes, this.reachOf(e), this.unit, this.grid);
+    this.spot = near.kind ? near.point : null;
+    this.paint();
+  }
+
+  preview() {
+    const c = this.current;
+    if (c.path.length < 2) { c.shape = null; return; }
+    const options = { reach: c.reach, unit: this.unit, grid: this.grid, lock: c.lock };
+    c.straight = c.lock || goesStraight(c.path, this.unit);
+    c.shape = c.straight ? settled([c.path[0], c.path[c.path.length - 1]], this.strokes, options) : null;
+  }
+
+  up(e) {
+    if (!this.fingers.delete(e.pointerId)) return;
+    if (e.pointerType === "pen") this.penTime = performance.now();
+    const c = this.current, grip = this.grip;
+    if (c?.id === e.pointerId) {
+      this.current = null;
+      const options = { reach: c.reach, unit: this.unit, grid: this.grid, lock: c.lock, dashed: c.dashed };
+      const path = c.lock ? [c.path[0], c.path[c.path.length - 1]] : c.path;
+      const made = path.length > 1 ? tidied(path, this.strokes, options) : [];
+      const last = c.path[c.path.length - 1];
+      if (made.length) this.commit([...this.strokes, ...made.map(s => ({ ...s, ms: last[2] }))]);
+    } else if (grip && this.fingers.size === 0) {
+      this.grip = null;
+      this.letGo(grip);
+    } else if (grip?.pinch) this.grip = { pan: true };
+    this.paint();
+  }
+
+  letGo(grip) {
+    if (grip.box) this.selectInside(grip.from, grip.to || grip.from);
+    if ((grip.erase || grip.moved) && grip.before !== this.strokes) this.commit(this.strokes);
+  }
+
+  drop(e) { this.fingers.delete(e.pointerId); this.cancel(); }
+
+  /* what is going on is not to be; true if there was something */
+  cancel(quiet = false) {
+    const busy = Boolean(this.current || this.grip || this.cursor?.from);
+    if (this.grip?.before) this.strokes = this.grip.before;
+    this.current = this.grip = null;
+    if (this.cursor) this.cursor.from = null;
+    if (!quiet && !busy) this.selected.clear();
+    this.paint();
+    return busy;
+  }
+
+  /* ---- erase and select */
+  rub(e) {
+    const k = strokeAt(this.at(e), this.strokes, this.reachOf(e).snap * 0.7 * this.unit);
+    if (k >= 0) this.strokes = this.strokes.filter((_, j) => j !== k);
+  }
+
+  take(e, at) {
+    const reach = this.reachOf(e).snap * this.unit, corner = corners(this.strokes).find(c => gap(c.point, at) < reach * 0.8);
+    const k = strokeAt(at, this.strokes, reach * 0.7);
+    if (corner) { this.grip = { corner: corner.point, before: this.strokes }; this.selected.clear(); return; }
+    if (k < 0) { if (!e.shiftKey) this.selected.clear(); this.grip = { box: true, from: at }; return; }
+    if (e.shiftKey && this.selected.has(k)) this.selected.delete(k);
+    else { if (!e.shiftKey && !this.selected.has(k)) this.selected.clear(); this.selected.add(k); }
+    this.grip = { from: at, before: this.strokes };
+  }
+
+  haul(e) {
+    const at = this.at(e), grip = this.grip;
+    if (grip.box) { grip.to = at; return; }
+    grip.moved = true;
+    if (grip.corner) {
+      const others = grip.before.filter(s => !endsOf(s).some(p => gap(p, grip.corner) < 1e-6));
+      this.strokes = dragged(grip.before, grip.corner, snapped(at, others, this.reachOf(e), this.unit / 2, this.grid).point);
+    } else this.strokes = this.shifted(grip.before, at[0] - grip.from[0], at[1] - grip.from[1]);
+  }
+
+  shifted(strokes, dx, dy) {
+    return strokes.map((s, k) => this.selected.has(k) ? { ...s, points: s.points.map(p => [p[0] + dx, p[1] + dy, ...p.slice(2)]) } : s);
+  }
+
+  selectInside(a, b) {
+    const within = p => [0, 1].every(c => p[c] >= Math.min(a[c], b[c]) && p[c] <= Math.max(a[c], b[c]));
+    this.strokes.forEach((s, k) => { if (s.points.every(within)) this.selected.add(k); });
+  }
+
+  /* ---- keyboard */
+  key(e) {
+    if (e.ctrlKey || e.metaKey || e.altKey) return;
+    const step = e.shiftKey ? 1 : 10, moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] };
+    if (moves[e.key] && this.selected.size) this.commit(this.shifted(this.strokes, ...moves[e.key]));
+    else if (moves[e.key]) this.steer(moves[e.key]);
+    else if (e.key === "Enter") this.put();
+    else if ((e.key === "Delete" || e.key === "Backspace") && this.selected.size) {
+      const left = this.strokes.filter((_, k) => !this.selected.has(k));
+      this.selected.clear();
+      this.commit(left);
+    } else if (e.key === "Escape" && this.cancel()) { /* it was cancelled */ }
+    else return;
+    e.preventDefault();
+  }
+
+  steer([dx, dy]) {
+    const box = this.box(), middle = [Math.round((this.view.x + box.width / 2 / this.view.s) / 10) * 10, Math.round((this.view.y + box.height / 2 / this.view.s) / 10) * 10];
+    this.cursor = this.cursor || { at: middle, from: null };
+    this.cursor.at = [this.cursor.at[0] + dx, this.cursor.at[1] + dy];
+    this.on.say(say("penAt", { x: this.cursor.at[0], y: this.cursor.at[1] }));
+    this.paint();
+  }
+
+  put() {
+    if (!this.cursor) { this.steer([0, 0]); return; }
+    const { at, from } = this.cursor, near = snapped(at, this.strokes, { snap: 5 }, this.unit).point;
+    if (!from) { this.cursor.from = near; this.on.say(say("penDown", { x: near[0], y: near[1] })); }
+    else { this.cursor.from = null; this.addLine(from, near); this.on.say(say("lineDrawn", { x: near[0], y: near[1] })); }
+    this.paint();
+  }
+
+  /* the wheel scrolls the page unless it is meant for the sheet */
+  wheel(e) {
+    if (!e.ctrlKey && !e.metaKey) return;
+    e.preventDefault();
+    this.zoom(Math.exp(-e.deltaY / 400), this.at(e));
+  }
+
+  /* ---- painting */
+  paint() {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => { this.pending = false; this.paintNow(); });
+  }
+
+  paintNow() {
+    const box = this.box(), ratio = window.devicePixelRatio || 1;
+    if (!box.width) return;
+    const w = Math.round(box.width * ratio), h = Math.round(box.height * ratio);
+    if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
+    const pen = this.context, style = getComputedStyle(this.canvas), colour = name => style.getPropertyValue(`--${name}`).trim();
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, box.width, box.height);
+    if (this.grid) this.paintGrid(pen, box, colour("line"));
+    Object.assign(pen, { lineCap: "round", lineJoin: "round" });
+    this.paintFound(pen, colour);
+    this.strokes.forEach((stroke, k) => {
+      Object.assign(pen, { strokeStyle: this.selected.has(k) ? colour("front") : colour("pen"), lineWidth: this.selected.has(k) ? 3.4 : 2.4 });
+      this.trace(pen, stroke, p => this.onScreen(p));
+    });
+    this.paintCurrent(pen, colour);
+    this.paintMarks(pen, colour);
+    this.on.paint();
+  }
+
+  trace(pen, stroke, place) {
+    pen.setLineDash(stroke.dashed ? DASH : []);
+    pen.beginPath();
+    stroke.points.forEach((p, k) => k ? pen.lineTo(...place(p)) : pen.moveTo(...place(p)));
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+
+  paintGrid(pen, box, colour) {
+    Object.assign(pen, { strokeStyle: colour, lineWidth: 1 });
+    pen.beginPath();
+    const cell = CELL * this.view.s, [ox, oy] = this.onScreen([0, 0]);
+    const lines = (slope, step) => {  // lines y = slope * x + k * step, or upright ones
+      if (slope === null) for (let x = ox % step; x < box.width; x += step) { pen.moveTo(x, 0); pen.lineTo(x, box.height); }
+      else {
+        const reach = Math.abs(slope) * box.width, from = oy - slope * ox;
+        for (let y = ((from % step) + step) % step - step - reach; y < box.height + reach + step; y += step) { pen.moveTo(0, y); pen.lineTo(box.width, y + slope * box.width); }
+      }
+    };
+    if (this.gridKind === "square") { lines(null, cell); lines(0, cell); }
+    else { lines(null, cell * Math.cos(Math.PI / 6)); for (const side of [-1, 1]) lines(side * Math.tan(Math.PI / 6), cell); }
+    pen.stroke();
+  }
+
+  paintFound(pen, colour) {
+    if (!this.shown) return;
+    pen.globalAlpha = this.shown.sure ? 0.13 : 0.06;
+    pen.fillStyle = colour("front");
+    pen.beginPath();
+    for (const ring of this.shown.front) { ring.forEach((p, k) => k ? pen.lineTo(...this.onScreen(p)) : pen.moveTo(...this.onScreen(p))); pen.closePath(); }
+    pen.fill("evenodd");
+    pen.globalAlpha = 1;
+  }
+
+  paintCurrent(pen, colour) {
+    const c = this.current;
+    const ring = (p, name) => { pen.beginPath(); pen.arc(...this.onScreen(p), 7, 0, 7); Object.assign(pen, { strokeStyle: colour(name), lineWidth: 2 }); pen.stroke(); };
+    if (c) {
+      Object.assign(pen, { strokeStyle: colour("front"), lineWidth: 2.6 });
+      this.trace(pen, { points: c.shape ? c.shape.points : c.path, dashed: c.dashed }, p => this.onScreen(p));
+      c.shape?.kinds.forEach((kind, k) => { if (kind) ring(c.shape.points[k], "front"); });
+    } else if (this.spot && !this.cursor) ring(this.spot, "front");
+    if (this.grip?.to && this.grip.box) {
+      const [a, b] = [this.onScreen(this.grip.from), this.onScreen(this.grip.to)];
+      Object.assign(pen, { strokeStyle: colour("front"), lineWidth: 1 });
+      pen.strokeRect(a[0], a[1], b[0] - a[0], b[1] - a[1]);
+    }
+    if (this.cursor) {
+      const [x, y] = this.onScreen(this.cursor.at);
+      Object.assign(pen, { strokeStyle: colour("front"), lineWidth: 1.5 });
+      pen.beginPath();
+      for (const [dx, dy] of [[1, 0], [0, 1]]) { pen.moveTo(x - 12 * dx, y - 12 * dy); pen.lineTo(x + 12 * dx, y + 12 * dy); }
+      pen.stroke();
+      if (this.cursor.from) this.trace(pen, { points: [this.cursor.from, this.cursor.at] }, p => this.onScreen(p));
+    }
+  }
+
+  paintMarks(pen, colour) {
+    Object.assign(pen, { strokeStyle: colour("bad"), lineWidth: 2 });
+    for (const { point } of this.marks.loose) { pen.beginPath(); pen.arc(...this.onScreen(point), 9, 0, 7); pen.stroke(); }
+    pen.setLineDash([3, 6]);
+    for (const points of this.marks.missing) { pen.beginPath(); pen.moveTo(...this.onScreen(points[0])); pen.lineTo(...this.onScreen(points[1])); pen.stroke(); }
+    pen.setLineDash([]);
+  }
+}

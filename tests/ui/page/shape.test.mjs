@@ -1,0 +1,61 @@
+import assert from "node:assert/strict";
+import test from "node:test";
+import { corrections, fromCorrections, fronted, newObject, shifted, withWishes } from "./shape.js";
+import { lengthOf, measure, shown } from "./sizes.js";
+
+const F1 = [[0, 100], [100, 100], [100, 200], [0, 200]], F2 = F1.map(([x, y]) => [x + 60, y - 40]);
+const state = () => ({ objects: [newObject(F1, F2)], loose: [] });
+
+test("lengths as people type them", () => {
+  assert.deepEqual(lengthOf("40", "mm"), { value: 40, unit: "mm" });
+  assert.deepEqual(lengthOf(" 40,5 ", "cm"), { value: 40.5, unit: "cm" });
+  assert.deepEqual(lengthOf("1.5in", "mm"), { value: 1.5, unit: "in" });
+  assert.equal(lengthOf("", "mm"), null);
+  for (const bad of ["-3", "0", "abc", "4 5", "1e3", "40 px", "1,000.5"]) assert.equal(lengthOf(bad, "mm"), undefined, bad);
+  assert.equal(shown(12.34567), "12.35");
+  assert.equal(measure(180.4, "px"), "180");
+});
+
+test("all three sizes go into the corrections", () => {
+  const s = state();
+  s.objects[0].sizes = { width: "40", height: "25.5", depth: "60" };
+  s.objects[0].reading = 2;
+  const [o] = corrections(s, 500, 400).objects;
+  assert.deepEqual([o.width, o.height, o.depth, o.reading], ["40mm", "25.5mm", "60mm", 2]);
+});
+
+test("a side of a box becomes its front, in matching order", () => {
+  const next = fronted(state(), [130, 130]).objects[0];  // the side on the right
+  assert.deepEqual(new Set(next.f1.map(String)), new Set([F1[1], F1[2], F2[2], F2[1]].map(String)));
+  for (const k of [0, 1, 2, 3]) {
+    const d = [0, 1].map(c => next.f2[k][c] - next.f1[k][c]);
+    assert.deepEqual(d, [-100, 0]);
+  }
+});
+
+const read = data => fromCorrections(data, state(), "a/b.png", 500, 400);
+
+test("corrections of every documented form are read", () => {
+  const points = [...F1, ...F2];
+  assert.deepEqual(read({ objects: [{ f1: F1, d: [60, -40] }] }).objects[0].f2, F2);
+  assert.deepEqual(read({ objects: [{ vertices: points, f1: [0, 1, 2, 3], f2: [4, 5, 6, 7] }] }).objects[0].f2, F2);
+  assert.equal(read({ objects: [{ projection: "axonometric" }] }).objects[0].projection, "axonometric");
+  assert.equal(read({ objects: [{ projection: { family: "oblique" }, f1: F1, f2: F2 }] }).objects[0].projection, "oblique");
+  assert.deepEqual(read({ pictures: { "b.png": { objects: [{ width: "40mm", depth: 20 }] } } }).objects[0].sizes, { width: "40", height: "", depth: "20" });
+  assert.deepEqual(read({ width: 250, height: 200, objects: [{ f1: F1, f2: F2 }] }).objects[0].f1[1], [200, 200]);
+  const hole = F1.map(([x, y]) => [x / 2 + 20, y / 2 + 70]);
+  assert.deepEqual(read({ objects: [{ f1: F1, f2: F2, holes: [{ f1: hole }] }] }).objects[0].holes[0].f2[0], [hole[0][0] + 60, hole[0][1] - 40]);
+});
+
+test("what is no corrections file is refused as a whole", () => {
+  for (const bad of [null, {}, { objects: 3 }, { objects: [{ f1: F1 }] }, { objects: [{ f1: F1, f2: F2.slice(1) }] }, { objects: [{}, {}] }, { objects: [{ width: "wide" }] }, { pictures: { "c.png": {} } }, { objects: [null] }]) {
+    assert.throws(() => read(bad), Error, JSON.stringify(bad));
+  }
+});
+
+test("wishes stay with the object at their place, a reading does not", () => {
+  const before = [{ ...newObject(F1, F2), projection: "oblique", unit: "cm", reading: 3 }];
+  const [o] = withWishes([{ f1: F2, f2: F1, holes: [], lines: "wire" }], before);
+  assert.deepEqual([o.projection, o.unit, o.reading], ["oblique", "cm", 1]);
+  assert.deepEqual(shifted({ objects: [o], loose: [{ x: 1, y: 2, face: 0 }] }, 10, 20).loose, [{ x: 11, y: 22, face: 0 }]);
+});
