@@ -25,13 +25,23 @@ from sketch2shape.lifting.regularity import (
     bearings,
     between,
     score,
-    uneven_odds,
 )
 from sketch2shape.lifting.roundness import Arcs, arcs_of, roundness_odds
+from sketch2shape.lifting.usual_views import (
+    SEEN_SLANTS,
+    STANDING,
+    is_upright,
+    plumb_density,
+    plumb_turn,
+    rests_on,
+    standing_odds,
+    usual_view,
+    view_prior,
+)
 from sketch2shape.model import Bools, Floats
 
-#: slants tried, radians: the face is never seen quite from the front nor quite from its edge
-_SLANTS = np.deg2rad(np.linspace(6.0, 84.0, 79))
+#: slants tried, radians
+_SLANTS = SEEN_SLANTS
 _STEP = float(_SLANTS[1] - _SLANTS[0])
 
 #: a d known to within this angle, radians, is not turned at first, or not even when the pose is refined; else turns of
@@ -48,9 +58,6 @@ _SOLIDS, _RARE = 3, 0.03
 
 #: how likely an object in an orthographic view stands on none of its edges
 _AFLOAT = 0.1
-
-#: how often an object stands on its face
-_STANDING = 0.3
 
 #: log odds of an oblique drawing against any axonometric one before anything is seen
 _OBLIQUE_PRIOR = -0.5
@@ -120,12 +127,15 @@ _NAMED = 1 + len(SLANTS)
 class _Trials:
     """Poses tried: every slant (g,) with every turn (h,), radians, the turn outermost; `sure` (h,) weighs the turns.
 
-    Before all of them come the face as drawn and the slants of the named views, not turned.
+    Before all of them come the face as drawn and the slants of the named views, not turned. The last turn may be one that
+    makes d plumb (`has_plumb`); `spread` is what the weights of the others sum up to.
     """
 
     slants: Floats
     turns: Floats
     sure: Floats
+    spread: float = 1.0
+    has_plumb: bool = False
 
     @cached_property
     def stretches(self) -> Floats:
@@ -185,12 +195,12 @@ def read_parallel(
     t = d / long
     vectors = relations.rows @ face
     along, across = vectors @ t, vectors @ np.array([-t[1], t[0]])
-    trials = (_STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS)) if aslant else _FLAT
+    trials = (_STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS, t)) if aslant else _FLAT
     found = _stretched(along, across, trials)
     turned = bearings(relations, found, noise)
     angle, spread = _as_drawn(t, turned, len(relations.edges))
     rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
-    rests *= np.where(_rests(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
+    rests *= np.where(rests_on(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
     rests /= rests.sum() if len(rests) else 1.0
     view = StretchedFace(relations, along, across, t, wobble, noise, rests)
     view = replace(
@@ -244,14 +254,14 @@ def _free(view: StretchedFace, trials: _Trials, odds: Floats) -> list[ParallelRe
         chance = np.where(_ALIKE[middle], 0.0, chance)
     told = sum(part for part, _ in found)
     # what is left over is shared out, and known to be something else
-    base = top + math.log(whole / told / (len(_SLANTS) * trials.sure.sum())) + FREE
+    base = top + math.log(whole / told / (len(_SLANTS) * trials.spread)) + FREE
     return [ParallelReading("axonometric", base + math.log(part), pose, told / whole, view) for part, pose in found]
 
 
 def refined_pose(view: StretchedFace, pose: Pose) -> Pose:
     """The pose of an axonometric reading to a hundredth of a degree."""
     near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
-    trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN)
+    trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN, view.toward)
     found = _stretched(view.along, view.across, trials)
     turned = bearings(view.relations, found, view.noise)
     regular = _regularity(view, trials, found, turned)
@@ -262,8 +272,8 @@ def refined_pose(view: StretchedFace, pose: Pose) -> Pose:
 
 
 def _peak(at: Floats, odds: Floats, best: int) -> float:
-    """Where the parabola through the best of equally spaced values and its neighbours is highest."""
-    if not 0 < best < len(at) - 1:
+    """Where the parabola through the best of some values and its neighbours, if equally far, is highest."""
+    if not 0 < best < len(at) - 1 or abs(at[best + 1] - 2.0 * at[best] + at[best - 1]) > 1e-9:
         return float(at[best])
     left, top, right = odds[best - 1 : best + 2]
     bend = float(left - 2.0 * top + right)
@@ -280,8 +290,15 @@ def _regularity(view: StretchedFace, trials: _Trials, found: Candidates, turned:
     return odds
 
 
-def _trials(wobble: float, slants: Floats, turns: Floats) -> _Trials:
-    return _Trials(slants, wobble * turns, np.exp(-0.5 * turns**2))
+def _trials(wobble: float, slants: Floats, turns: Floats, toward: Floats) -> _Trials:
+    """Trials with these turns, in wobbles; if d may be plumb, with the one that makes it so, as likely as that is."""
+    sure = np.exp(-0.5 * turns**2)
+    spread = float(sure.sum())
+    plumb = plumb_turn(toward)
+    if len(turns) == 1 or not is_upright(toward) or abs(plumb) > 2.0 * wobble:
+        return _Trials(slants, wobble * turns, sure, spread)
+    standing = spread * STANDING / (1.0 - STANDING) * math.pi * plumb_density(plumb, wobble)
+    return _Trials(slants, np.append(wobble * turns, plumb), np.append(sure, standing), spread, has_plumb=True)
 
 
 def _stretched(along: Floats, across: Floats, trials: _Trials) -> Candidates:
@@ -298,50 +315,18 @@ def _stretched(along: Floats, across: Floats, trials: _Trials) -> Candidates:
 def _pose_odds(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
     """(h g,) log odds of the poses, whatever shape they give the face."""
     odds = _isotropy_odds(view.relations, found)[_NAMED:]
-    odds = odds + np.add.outer(np.log(trials.sure), _view_prior(trials.slants, view.toward)).ravel()
-    if _is_upright(view.toward):
-        return odds + _plumb_odds(view)
+    usual = view_prior(trials.slants, view.toward) - usual_view(view.toward)
+    odds = odds + np.add.outer(np.log(trials.sure), usual).ravel()
+    if is_upright(view.toward):
+        return odds + (math.log(1.0 - STANDING) if trials.has_plumb else standing_odds(view.toward, view.wobble))
     upright: Floats = odds + _gravity_odds(view, trials, turned)[_NAMED:]
     return upright
-
-
-def _plumb_odds(view: StretchedFace) -> float:
-    """Objects often stand on their face, with connecting edges drawn plumb."""
-    width = math.hypot(view.wobble, math.radians(1.0))
-    off = math.asin(min(abs(float(view.toward[0])), 1.0))
-    density = math.exp(-0.5 * (off / width) ** 2) / (width * math.sqrt(2.0 * math.pi))
-    return math.log(1.0 - _STANDING + _STANDING * math.pi * density)
 
 
 def _as_drawn(toward: Floats, turned: Bearings, k: int) -> tuple[Floats, Floats]:
     """(k,) directions of the edges as drawn, in the picture, and their standard deviations."""
     angle = turned.angle[0, :k] + math.atan2(toward[1], toward[0])
     return (angle + np.pi) % (2.0 * np.pi) - np.pi, turned.spread[0, :k]
-
-
-def _view_prior(slants: Floats, toward: Floats) -> Floats:
-    """Log density of a slant against a uniform one.
-
-    Objects are shown from where their faces can be seen, rarely head-on, rarely edge-on; and, if d is not upright, from
-    somewhat above or below: the vertical is not much foreshortened.
-    """
-    raw = _view_density(_SLANTS, toward)
-    return (raw if slants is _SLANTS else _view_density(slants, toward)) - float(np.log(np.exp(raw).mean()))
-
-
-def _view_density(slants: Floats, toward: Floats) -> Floats:
-    prior: Floats = uneven_odds(np.maximum(1.0 / np.cos(slants), 1.0 / np.sin(slants)))
-    if _is_upright(toward):
-        elevation = 90.0 - np.rad2deg(slants)
-    else:
-        plumb = np.sqrt((toward[1] / np.cos(slants)) ** 2 + toward[0] ** 2)
-        elevation = np.rad2deg(np.arccos(np.minimum(1.0 / plumb, 1.0)))
-    return prior - 0.5 * ((elevation - 33.0) / 14.0) ** 2
-
-
-def _is_upright(toward: Floats) -> bool:
-    """Is the connecting vector, of length one, drawn vertical?"""
-    return bool(abs(toward[0]) < 0.1)
 
 
 def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
@@ -368,14 +353,3 @@ def _gravity_odds(view: StretchedFace, trials: _Trials, turned: Bearings) -> Flo
     density = np.exp(-0.5 * ((turn - np.pi / 2) / width) ** 2) / (width * np.sqrt(2.0 * np.pi))
     odds: Floats = np.log(_AFLOAT + (1.0 - _AFLOAT) * np.pi * (density @ view.rests))
     return odds
-
-
-def _rests(ways: Floats, outer: Floats) -> Bools:
-    """(k,) could the object stand on an edge of these (k, 2) directions: is one of them at the bottom of the ring?"""
-    if not len(outer) or not len(ways):
-        return np.zeros(len(ways), bool)
-    down = np.where(ways[:, :1] > 0, 1.0, -1.0) * np.stack([-ways[:, 1], ways[:, 0]], axis=1)
-    depth = outer @ down.T
-    close = depth > depth.max(axis=0) - 0.02 * np.ptp(depth, axis=0)
-    both = close & np.concatenate([close[-1:], close[:-1]])
-    return np.asarray(both.any(axis=0))
