@@ -89,10 +89,10 @@ def _arguments() -> argparse.Namespace:
 
 
 def _truths(folder: Path) -> Iterator[dict[str, Any]]:
-    """Truths of drawings that hold one object and its true solid."""
+    """Truths of drawings that hold one object of straight edges and its true solid."""
     for file in sorted(folder.glob("**/*.json")):
         truth = json.loads(file.read_text())
-        if "f1" in truth and truth.get("solid"):
+        if truth.get("solid") and len(truth.get("f1", ())) == len(truth["f2"]) and not truth.get("arcs"):
             truth.setdefault("category", file.parent.name)
             yield truth
 

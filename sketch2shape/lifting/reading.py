@@ -127,8 +127,8 @@ _NAMED = 1 + len(SLANTS)
 class _Trials:
     """Poses tried: every slant (g,) with every turn (h,), radians, the turn outermost; `sure` (h,) weighs the turns.
 
-    Before all of them come the face as drawn and the slants of the named views, not turned. The last turn may be one that
-    makes d plumb (`has_plumb`); `spread` is what the weights of the others sum up to.
+    Before all of them come the face as drawn and the slants of the named views, not turned. The last turn may be one
+    that makes d plumb (`has_plumb`); `spread` is what the weights of the others sum up to.
     """
 
     slants: Floats
