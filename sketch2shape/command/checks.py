@@ -48,6 +48,8 @@ def check_effects(arguments: Namespace, products: Sequence[str] | None = None) -
         raise UsageError("--tolerance has no effect without a mesh", remedy="--format stl")
     if arguments.paper and not {*named("plan")} & {*written}:
         raise UsageError("--paper has no effect without a plan", remedy=f"--format {named('plan')[0]}")
+    if arguments.angle and not any(product.startswith("views.") for product in written):
+        raise UsageError("--angle has no effect without views", remedy="--format views.svg")
     if arguments.timings and "json" not in written:
         raise UsageError("--timings has no effect without a report", remedy="--json")
     idle = [name for name in ("jobs", "max_memory") if arguments.scheduler and getattr(arguments, name)]

@@ -165,6 +165,10 @@ def _solid_options(parser: argparse.ArgumentParser) -> None:
         help="largest distance of a mesh from a curved side, as 0.1mm (default: one that looks smooth)",
     )  # fmt: skip
     group.add_argument("--paper", choices=("a4", "letter"), type=str.lower, help="of nets and other plans (default a4)")
+    group.add_argument(
+        "--angle", choices=("third", "first"),
+        help="of views: third angle (default) puts each on the side it is seen from, first angle on the other",
+    )  # fmt: skip
 
 
 def _batch_options(parser: argparse.ArgumentParser) -> None:

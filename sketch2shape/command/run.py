@@ -80,7 +80,7 @@ def mesh_options(arguments: Namespace) -> dict[str, Any]:
 
     tolerance_of(arguments.tolerance, "mm")
     options: dict[str, Any] = {"ngons": True} if arguments.ngons else {}
-    given = {name: getattr(arguments, name) for name in ("tolerance", "paper")}
+    given = {name: getattr(arguments, name) for name in ("tolerance", "paper", "angle")}
     return options | {name: value for name, value in given.items() if value is not None}
 
 

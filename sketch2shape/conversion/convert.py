@@ -171,7 +171,7 @@ def _notes(task: Task, result: Answer) -> list[str]:
     """What had to be assumed to write the outputs."""
     from sketch2shape.export import note_of
 
-    options = {name: value for name, value in task.settings.mesh.items() if name == "paper"}
+    options = {name: value for name, value in task.settings.mesh.items() if name in ("paper", "angle")}
     notes = (note_of(result, output.product, **options) for output in task.outputs)
     return list(dict.fromkeys(note for note in notes if note))
 

@@ -7,7 +7,8 @@ from pathlib import PurePath
 from typing import Any
 
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.export.plans import PaperName, PlanOptions, encode_plan, plan_note
+from sketch2shape.export.plan_options import Angle, PaperName, PlanOptions
+from sketch2shape.export.plans import encode_plan, plan_note
 from sketch2shape.export.units import MILLIMETRES, in_millimetres
 from sketch2shape.model import Answer, Solid
 from sketch2shape.writing import formats
@@ -37,6 +38,7 @@ def encode(
     ngons: bool = False,
     tolerance: float | None = None,
     paper: PaperName = "a4",
+    angle: Angle = "third",
 ) -> bytes:
     """The file's bytes for a result, a solid or several solids (one body each).
 
@@ -45,8 +47,9 @@ def encode(
     tolerance : in meshes, the largest distance of a facet from a curved side, in the solids' unit; None for one that
                 looks smooth
     paper     : of plans, "a4" or "letter"
+    angle     : of views, "third" or "first"
 
-    Raises UsageError for an unknown format or paper, NoObjectError if there is no solid.
+    Raises UsageError for an unknown format, paper or angle, NoObjectError if there is no solid.
     """
     if format not in FORMATS:
         raise UsageError(f"unknown format {format!r}", remedy=f"one of {', '.join(FORMATS)}")
@@ -56,7 +59,7 @@ def encode(
         return _drawing(result, format)
     solids = _solids_of(result)
     if format in PLANS:
-        return encode_plan(solids, format, PlanOptions(paper))
+        return encode_plan(solids, format, PlanOptions(paper, angle))
     if format in _UNITLESS:
         tolerance = tolerance and tolerance * MILLIMETRES[solids[0].unit]
         solids = tuple(in_millimetres(solids))
@@ -65,12 +68,14 @@ def encode(
     return _EXACT[format](solids) if format in _EXACT else _MESHES[format](solids, tolerance)
 
 
-def note_of(result: Answer | Solid | Sequence[Solid], format: str, *, paper: PaperName = "a4") -> str | None:
+def note_of(
+    result: Answer | Solid | Sequence[Solid], format: str, *, paper: PaperName = "a4", angle: Angle = "third"
+) -> str | None:
     """What `encode` has to assume for a plan without a real size, or to leave of its scale, in words; None if nothing.
 
     Raises as `encode`.
     """
-    return plan_note(_solids_of(result), format, PlanOptions(paper)) if format in PLANS else None
+    return plan_note(_solids_of(result), format, PlanOptions(paper, angle)) if format in PLANS else None
 
 
 def _solids_of(result: Answer | Solid | Sequence[Solid]) -> tuple[Solid, ...]:

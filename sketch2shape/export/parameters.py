@@ -120,9 +120,9 @@ class Design:
 class Rounding:
     """Numbers as they are written: in steps of a power of ten that the largest size tells."""
 
-    def __init__(self, largest: float) -> None:
-        """Take the largest size."""
-        self.decimals = _DIGITS - 1 - math.floor(math.log10(largest)) if largest > 0 else 0
+    def __init__(self, largest: float, fewer: int = 0) -> None:
+        """Take the largest size, and by how many digits it is written shorter."""
+        self.decimals = _DIGITS - fewer - 1 - math.floor(math.log10(largest)) if largest > 0 else 0
 
     @property
     def half_step(self) -> float:

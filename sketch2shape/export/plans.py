@@ -3,34 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal, get_args
 
-from sketch2shape.errors import OptionError
+from sketch2shape.export.plan_options import PlanOptions
 from sketch2shape.model import Solid
-from sketch2shape.sheets import PAPERS, Document, pdf_bytes, svg_text
-
-PaperName = Literal["a4", "letter"]
-
-
-@dataclass(frozen=True)
-class PlanOptions:
-    """How plans are laid out.
-
-    paper : size of the sheets
-    """
-
-    paper: PaperName = "a4"
-
-    def __post_init__(self) -> None:
-        """Raise OptionError for what there is not."""
-        if self.paper not in get_args(PaperName):
-            raise OptionError(f"there is no paper called {self.paper!r}", remedy=f"one of {', '.join(PAPERS)}")
+from sketch2shape.sheets import PAPERS, Document, document_dxf, pdf_bytes, svg_text
 
 
 def encode_plan(solids: Sequence[Solid], format: str, options: PlanOptions) -> bytes:
     """The file's bytes."""
     document, _ = _document(solids, format, options)
+    if format.endswith(".dxf"):
+        return document_dxf(document, solids[0].unit, _true_size(solids, options)).encode()
     return pdf_bytes(document) if format.endswith(".pdf") else svg_text(document).encode()
 
 
@@ -46,4 +29,13 @@ def _document(solids: Sequence[Solid], format: str, options: PlanOptions) -> tup
         from sketch2shape.export.net import net_document
 
         return net_document(solids, options.paper)
-    raise ValueError(f"{format} is no plan")
+    from sketch2shape.export.views import views_document
+
+    return views_document(solids, options.paper, options.angle)
+
+
+def _true_size(solids: Sequence[Solid], options: PlanOptions) -> float:
+    """Units of the solids in a millimetre of their views on paper."""
+    from sketch2shape.export.views import laid_views
+
+    return 1.0 / laid_views(tuple(solids), PAPERS[options.paper].turned, options.angle)[1].factor

@@ -13,7 +13,7 @@ from sketch2shape.pipeline.solid import Solid
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-    from sketch2shape.export import PaperName
+    from sketch2shape.export import Angle, PaperName
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -41,6 +41,7 @@ class Result(Answer):
         ngons: bool = False,
         tolerance: str | float | None = None,
         paper: PaperName = "a4",
+        angle: Angle = "third",
     ) -> Path:
         """Write the solids, the report or a picture to a file, all or nothing, and return its path.
 
@@ -50,6 +51,7 @@ class Result(Answer):
         tolerance : in meshes, the largest distance of a facet from a curved side, as "0.1mm" or a number in the solid's
                  unit; None for one that looks smooth
         paper  : of nets and other plans, "a4" or "letter"
+        angle  : of views, "third" or "first"
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
@@ -57,7 +59,7 @@ class Result(Answer):
         from sketch2shape.writing import write_file
 
         target = Path(path)
-        options = {"ngons": ngons, "tolerance": tolerance, "paper": paper}
+        options = {"ngons": ngons, "tolerance": tolerance, "paper": paper, "angle": angle}
         data = encode_product(format or product_of(str(target)), self, options)
         write_file(target, data, overwrite=True)
         return target

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from trimesh import Trimesh
 
-    from sketch2shape.export import PaperName
+    from sketch2shape.export import Angle, PaperName
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -52,6 +52,7 @@ class Solid(model.Solid):
         ngons: bool = False,
         tolerance: str | float | None = None,
         paper: PaperName = "a4",
+        angle: Angle = "third",
     ) -> Path:
         """Write the solid to a file, all or nothing, and return its path.
 
@@ -61,6 +62,7 @@ class Solid(model.Solid):
         tolerance : in meshes, the largest distance of a facet from a curved side, as "0.1mm" or a number in the solid's
                  unit; None for one that looks smooth
         paper  : of nets and other plans, "a4" or "letter"
+        angle  : of views, "third" or "first"
 
         Raises UsageError for an unknown format, WriteError if the file cannot be written.
         """
@@ -69,7 +71,8 @@ class Solid(model.Solid):
 
         target = Path(path)
         chord = tolerance_of(tolerance, self.unit)
-        data = encode(self, format or format_of(target), ngons=ngons, tolerance=chord, paper=paper)
+        form = format or format_of(target)
+        data = encode(self, form, ngons=ngons, tolerance=chord, paper=paper, angle=angle)
         write_file(target, data, overwrite=True)
         return target
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from sketch2shape.sheets.dxf import dxf_file, dxf_pair, sheet_dxf
-from sketch2shape.sheets.pdf import pdf_bytes
+from sketch2shape.sheets.dxf import document_dxf, dxf_file, dxf_pair
+from sketch2shape.sheets.pdf import pdf_bytes, text_width
 from sketch2shape.sheets.sheet import PAPERS, Document, Item, Label, Layer, Paper, Round, Sheet, Stroke
 from sketch2shape.sheets.svg import svg_text
 
@@ -17,9 +17,10 @@ __all__ = [
     "Round",
     "Sheet",
     "Stroke",
+    "document_dxf",
     "dxf_file",
     "dxf_pair",
     "pdf_bytes",
-    "sheet_dxf",
     "svg_text",
+    "text_width",
 ]

@@ -9,26 +9,33 @@ from sketch2shape.sheets.sheet import Document, Item, Label, Round
 #: $INSUNITS of a DXF file: what one drawing unit is; 0 for pixels, which are no length
 _DXF_UNITS = {"px": 0, "in": 1, "mm": 4, "cm": 5, "m": 6}
 
+#: between sheets, millimetres
+_GAP = 10.0
+
 #: code of the point of a text that lies at its place
 _ANCHORS = {"start": 0, "middle": 1, "end": 2}
 
 
-def sheet_dxf(document: Document, number: int, unit: str, factor: float = 1.0) -> str:
-    """A sheet as DXF with the document's layers, y upward.
+def document_dxf(document: Document, unit: str, factor: float = 1.0) -> str:
+    """The sheets side by side as DXF with the document's layers, y upward.
 
     unit   : what one drawing unit is
     factor : drawing units in a millimetre of the sheet
     """
     layers = {layer.name.upper(): "DASHED" if layer.dash else "CONTINUOUS" for layer in document.layers}
-    rows = [row for item in document.sheets[number].items for row in _drawn(item, document.paper.height, factor)]
+    rows: list[str] = []
+    for number, sheet in enumerate(document.sheets):
+        corner = (number * (document.paper.width + _GAP), document.paper.height)
+        rows += [row for item in sheet.items for row in _drawn(item, corner, factor)]
     return dxf_file(layers, rows, unit)
 
 
-def _drawn(item: Item, high: float, factor: float) -> list[str]:
+def _drawn(item: Item, corner: tuple[float, float], factor: float) -> list[str]:
+    """An item of a sheet whose upper left corner lies there."""
     layer = item.layer.upper()
 
     def at(code: int, point: Sequence[float]) -> list[str]:
-        return dxf_pair(code, factor * point[0], factor * (high - point[1]))
+        return dxf_pair(code, factor * (corner[0] + point[0]), factor * (corner[1] - point[1]))
 
     if isinstance(item, Round):
         return ["0", "CIRCLE", "8", layer, *at(10, item.center.tolist()), "40", f"{factor * item.radius:.6f}"]

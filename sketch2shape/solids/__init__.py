@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sketch2shape.solids.contours import contour_candidates, smooth_edges
-from sketch2shape.solids.drawn import DrawnLine, drawn_lines
+from sketch2shape.solids.drawn import DrawnLine, drawn_lines, lines_seen
 from sketch2shape.solids.extrusion import Extrusion, extrusion_of
 from sketch2shape.solids.front import FlatRing, front_outline
 from sketch2shape.solids.hidden import Run, edge_runs
@@ -22,6 +22,7 @@ __all__ = [
     "extrusion_of",
     "front_outline",
     "is_pointed",
+    "lines_seen",
     "shape_name",
     "smooth_edges",
     "tessellated",

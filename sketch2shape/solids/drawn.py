@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
-from sketch2shape.model import Bools, DrawnArc, Floats, Ints, Solid, TwoFaceObject
+from sketch2shape.model import Bools, DrawnArc, Floats, Ints, Projection, Solid, TwoFaceObject
 from sketch2shape.solids.contours import contour_candidates, smooth_edges
 from sketch2shape.solids.hidden import edge_runs, nearness
 from sketch2shape.solids.tessellation import Tessellation, tessellated
@@ -51,23 +51,41 @@ def drawn_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
 
     Outlines of curved sides come last. Smooth joints, as of a line and an arc, have no line.
     """
+    if not solid.boundary.is_round:
+        return _straight_lines(solid, obj.vertices)
+    if solid.camera is None:  # nothing tells what hides what
+        arcs = [DrawnLine(_closed(arc), True, None) for arc in obj.arcs]
+        return [*arcs, *(DrawnLine(obj.vertices[list(e)], True, k) for k, e in enumerate(obj.edges))]
+    return _round_lines(solid, solid.camera, obj.vertices, _arcs_at(obj))
+
+
+def lines_seen(solid: Solid, camera: Floats) -> list[DrawnLine]:
+    """The lines of a solid as a parallel camera (3, 4) sees it, as `drawn_lines` gives those of its drawing."""
+    parallel = replace(solid, projection=Projection("axonometric"))
+    points = _seen(camera, solid.vertices)
     if solid.boundary.is_round:
-        return _round_lines(obj, solid)
-    points, lines = obj.vertices, []
+        return _round_lines(parallel, camera, points, {})
+    return _straight_lines(parallel, points)
+
+
+def _straight_lines(solid: Solid, points: Floats) -> list[DrawnLine]:
+    """Straight edges between vertices at these points (k, 2)."""
+    lines: list[DrawnLine] = []
     for number, runs in enumerate(edge_runs(solid, points)):
         a, b = points[solid.edge_ends[number]]
         lines += [DrawnLine(np.array([a + t * (b - a), a + u * (b - a)]), visible, number) for t, u, visible in runs]
     return lines
 
 
-def _round_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
+def _round_lines(solid: Solid, camera: Floats, vertices: Floats, arcs_at: dict[int, DrawnArc]) -> list[DrawnLine]:
+    """Edges and outlines of a round solid before a camera.
+
+    vertices : (k, 2) where the solid's vertices are drawn
+    arcs_at  : arcs as drawn, by the numbers of the solid's edges
+    """
     form = tessellated(solid.boundary)
-    if solid.camera is None:  # nothing tells what hides what
-        arcs = [DrawnLine(_closed(arc), True, None) for arc in obj.arcs]
-        return [*arcs, *(DrawnLine(obj.vertices[list(e)], True, k) for k, e in enumerate(obj.edges))]
-    view = _View(form, solid, _seen(solid.camera, form.vertices))
+    view = _View(form, solid, _seen(camera, form.vertices))
     smooth = smooth_edges(solid.boundary)
-    arcs_at = _arcs_at(obj)
     lines: list[DrawnLine] = []
     for number, edge in enumerate(solid.edges):
         if number in smooth:
@@ -77,7 +95,7 @@ def _round_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
             shown = _snapped(view.points[path], arcs_at.get(number), whole=edge.start is None)
             lines += [DrawnLine(shown[a : b + 1], seen, number) for a, b, seen in _cut(view.seen_along(path))]
         else:
-            lines += [DrawnLine(p, seen, number) for p, seen in view.straight(path, obj.vertices[path])]
+            lines += [DrawnLine(p, seen, number) for p, seen in view.straight(path, vertices[path])]
     for i, j, *beside in contour_candidates(form, smooth).tolist():
         if view.faces[beside[0]] != view.faces[beside[1]]:
             path = np.array([i, j])

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from sketch2shape.sheets import PAPERS, Document, Label, Layer, Round, Sheet, Stroke, pdf_bytes, sheet_dxf, svg_text
+from sketch2shape.sheets import PAPERS, Document, Label, Layer, Round, Sheet, Stroke, document_dxf, pdf_bytes, svg_text
 from sketch2shape.sheets.pdf import text_width
 
 LAYERS = (Layer("cut", "#000000", 0.5), Layer("fold", "#0057b8", 0.3, (3.0, 1.5)), Layer("text", "#5b6470", 0.2))
@@ -87,7 +87,7 @@ def test_dxf_is_read_by_another_library():
     ezdxf = pytest.importorskip("ezdxf", reason="ezdxf reads DXF back (extra `readback`)")
     arrow = Stroke("cut", np.array([[0.0, 0], [4, 1], [4, -1]]), closed=True, filled=True)
     page = Document("a", PAPERS["a4"], LAYERS, (Sheet((*document().sheets[0].items, arrow)),))
-    read = ezdxf.read(io.StringIO(sheet_dxf(page, 0, "mm", 2.0)))
+    read = ezdxf.read(io.StringIO(document_dxf(page, "mm", 2.0)))
     assert read.units == 4
     assert not read.audit().errors
     square, line, circle, text, solid = read.modelspace()
