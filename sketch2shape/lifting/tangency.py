@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -30,9 +31,12 @@ _SMOOTH, _STRAIGHT, _TURNED = math.radians(14.0), math.radians(6.0), math.radian
 #: the most that two radii, or two centres, may differ to be taken as one, part of the radius
 _ALIKE = 0.08
 
-#: steps taken, the part of the face's size by which equations may be missed in the end, and singular values over the
-#: largest that count as none
-_STEPS, _EXACT, _SINGULAR = 12, 1e-7, 1e-7
+#: steps taken at most, the step in pixels after which no other is, the part of the face's size by which equations may
+#: be missed in the end, and singular values over the largest that count as none
+_STEPS, _SETTLED, _EXACT, _SINGULAR = 12, 1e-5, 1e-7, 1e-7
+
+#: unknowns of a face at most: of more the arcs are fitted one by one, and nothing is made exact but they
+_MOST = 80
 
 Equation = Callable[[Floats], float]
 """How far a relation is from holding, about in units of the face."""
@@ -46,8 +50,11 @@ def exact_arcs(shape: Shape, *, regular: bool) -> Shape:
     if shape.bent is None:
         return shape
     profile = profile_of(shape, shape.bent)
-    free = _solved(profile, profile.start(), [])
-    if not regular:
+    free = profile.start()
+    many = len(free) > _MOST
+    if not many:
+        free = _solved(profile, free, [])
+    if many or not regular:
         return profile.shape(free, shape)
     noise = max(shape.noise, _LEAST)
     allowed = _REACH * noise + float(np.abs(profile.moved(free)).max())
@@ -110,7 +117,7 @@ def _solved(profile: Profile, start: Floats, equations: list[Equation]) -> Float
             rest = np.linalg.lstsq(slope @ space, -(off + slope @ step), rcond=1e-9)[0]
             step = step + space @ rest
         x = x + scale * step
-        if float(np.abs(step).max()) < 1e-10:
+        if float(np.abs(step).max()) < _SETTLED:
             break
     return x
 
@@ -159,7 +166,7 @@ class _Relations:
     noise: float
     level: bool
 
-    @property
+    @cached_property
     def size(self) -> float:
         """Of the face, in its unit."""
         return float(np.ptp(self.profile.points, axis=0).max())

@@ -64,7 +64,7 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
         "f2": _points(obj.f2, _PIXEL_DECIMALS),
         "holes": [{"f1": _points(h.f1, _PIXEL_DECIMALS), "f2": _points(h.f2, _PIXEL_DECIMALS)} for h in obj.holes],
         "edges": obj.edges.tolist(),
-        **_curves(obj),
+        **curves(obj),
         "shape": shape_name(solid),
         "projection": {"family": solid.projection.family, **plain(solid.projection.evidence)},
         "confidence": round(float(obj.confidence), 4),
@@ -96,8 +96,8 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
     return described
 
 
-def _curves(obj: TwoFaceObject) -> dict[str, Any]:
-    """The curved edges as drawn, and the outlines of curved sides."""
+def curves(obj: TwoFaceObject) -> dict[str, Any]:
+    """The curved edges as drawn, and the outlines of curved sides, by the report's words; nothing if there are none."""
     if not obj.is_round:
         return {}
     arcs = [

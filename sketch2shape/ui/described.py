@@ -12,6 +12,7 @@ from sketch2shape.lifting.options import SIZES
 from sketch2shape.model import Answer, Floats, Solid, TwoFaceObject
 from sketch2shape.pictures.facets import stand
 from sketch2shape.pictures.viewer import shape
+from sketch2shape.pipeline.report import curves
 
 
 def described(answer: Answer) -> dict[str, Any]:
@@ -34,6 +35,7 @@ def _object(obj: TwoFaceObject, sure: float) -> dict[str, Any]:
         "f1": rounded(obj.f1),
         "f2": rounded(obj.f2),
         "holes": [{"f1": rounded(h.f1), "f2": rounded(h.f2)} for h in obj.holes],
+        "arcs": curves(obj).get("arcs", []),
         "lines": obj.lines,
         "confidence": round(sure, 3),
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64decode
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from sketch2shape.corrections import Corrections, corrected, corrections_from, points_from
 from sketch2shape.errors import NoObjectError, UsageError
 from sketch2shape.lifting import LiftOptions, lift
-from sketch2shape.model import Answer, FacePair, Floats, Picture, TwoFaceObject
+from sketch2shape.model import Answer, Ellipse, FacePair, Floats, Picture, TwoFaceObject
 from sketch2shape.pictures.canvas import Pixels, encode_jpeg, encode_png, fit
 from sketch2shape.pictures.stages import stage_panels
 from sketch2shape.pictures.viewer import data_uri
@@ -84,7 +85,15 @@ def _on_sheet(obj: TwoFaceObject, picture: Picture) -> TwoFaceObject:
         return np.asarray(origin + points / scale)
 
     holes = tuple(FacePair(own(h.f1), own(h.f2)) for h in obj.holes)
-    return replace(obj, f1=own(obj.f1), f2=own(obj.f2), holes=holes, noise=obj.noise / scale)
+    arcs = tuple(replace(arc, points=own(arc.points), ellipse=_sized(arc.ellipse, own, scale)) for arc in obj.arcs)
+    sides = own(obj.silhouettes)
+    noise = obj.noise / scale
+    return replace(obj, f1=own(obj.f1), f2=own(obj.f2), holes=holes, arcs=arcs, silhouettes=sides, noise=noise)
+
+
+def _sized(ellipse: Ellipse, own: Callable[[Floats], Floats], scale: float) -> Ellipse:
+    a, b = ellipse.axes
+    return Ellipse(own(ellipse.center), (a / scale, b / scale), ellipse.angle)
 
 
 def make_product(data: bytes, product: str, options: dict[str, Any]) -> bytes:

@@ -122,6 +122,17 @@ def test_without_beautifying_arcs_are_circles_all_the_same():
     assert solid.volume > 0
 
 
+def test_a_face_of_very_many_arcs_is_lifted_in_time():
+    n = 40
+    turn = 2 * np.pi * np.arange(n) / n
+    ring = np.c_[np.cos(turn), np.sin(turn)]
+    # scallops: each arc is a half circle over its chord
+    arcs = {k: (0.5 * (ring[k] + ring[(k + 1) % n]), np.pi) for k in range(n)}
+    solid = lift(Drawer(axonometric(), STANDING, noise=0.3).draw([(ring, arcs)], 0.5))
+    assert sum(isinstance(f.surface, Cylinder) for f in solid.faces) == n
+    assert sizes_over_largest(solid) == pytest.approx([0.5 / 2.15, 1, 1], abs=0.05)
+
+
 def test_the_top_of_a_wire_cylinder_is_in_front_and_a_point_never_is():
     up = Drawer(axonometric(), STANDING).draw([CIRCLE], 1.5, lines="wire")
     assert choose_front(up) is up

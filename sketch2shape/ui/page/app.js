@@ -200,7 +200,7 @@ function review(found) {
   const sure = state.sure !== null && state.sure >= SURE && !state.guess;
   marks = faults(state.strokes, sure ? null : found, pad.unit);
   pad.mark(marks);
-  pad.over(found ? { sure, front: state.objects.flatMap(o => shape.rings(o).map(r => r.f1)) } : null);
+  pad.over(found ? { sure, front: state.objects.flatMap(o => shape.rings(o).map((_, r) => shape.outline(o, r, 1))) } : null);
   if (drawing()) $("hint").textContent = told(marks) || say("hintPad");
 }
 

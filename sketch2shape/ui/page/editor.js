@@ -98,14 +98,19 @@ export class Editor {
   }
 
   paintObject(object, page) {
-    const path = shape.rings(object).map(r => `M${r.f1.map(p => p.join(" ")).join("L")}Z`).join("");
+    const path = shape.rings(object).map((_, r) => `M${shape.outline(object, r, 1).map(p => p.join(" ")).join("L")}Z`).join("");
     element("path", { d: path, class: "fill" }, page);
-    const line = (a, b, kind) => element("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: kind }, page);
-    for (const { f1, f2 } of shape.rings(object)) {
-      f2.forEach((p, i) => line(p, f2[(i + 1) % f2.length], "back"));
-      f1.forEach((p, i) => line(p, f2[i], "join"));
-      f1.forEach((p, i) => line(p, f1[(i + 1) % f1.length], "front"));
-    }
+    const line = (points, kind) => element("polyline", { points: points.map(p => p.join(",")).join(" "), class: kind }, page);
+    const around = (r, face, kind) => {
+      const ring = shape.rings(object)[r][`f${face}`], whole = ring.length ? [] : shape.outline(object, r, face);
+      if (whole.length) line([...whole, whole[0]], kind);
+      if (ring.length > 1) ring.forEach((_, i) => line(shape.edgePoints(object, r, face, i), kind));
+    };
+    shape.rings(object).forEach(({ f1, f2 }, r) => {
+      around(r, 2, "back");
+      f1.forEach((p, i) => line([p, f2[f2.length > 1 ? i : 0]], "join"));
+      around(r, 1, "front");
+    });
   }
 
   paintVertex(name, page) {

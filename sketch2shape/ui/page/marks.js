@@ -16,10 +16,14 @@ export function faults(strokes, found, unit) {
   return { loose, missing: undrawn(edges, strokes, ALONG * unit) };
 }
 
-function edgesOf({ f1, f2, holes }) {
-  return [{ f1, f2 }, ...holes].flatMap(ring => {
+/* the straight edges; a drawing has none where a line and an arc join smoothly, so of objects with arcs those between the
+   faces are left out */
+function edgesOf({ f1, f2, holes, arcs = [] }) {
+  return [{ f1, f2 }, ...holes].flatMap((ring, r) => {
     const n = ring.f1.length, next = k => (k + 1) % n;
-    const around = f => f.length === n ? f.map((p, k) => [p, f[next(k)]]) : [];
+    const bent = k => arcs.some(arc => (arc.hole ?? -1) === r - 1 && arc.from === k);
+    const around = f => f.length === n ? f.flatMap((p, k) => bent(k) ? [] : [[p, f[next(k)]]]) : [];
+    if (arcs.length) return [...around(ring.f1), ...around(ring.f2)];
     const across = ring.f1.map((p, k) => [p, ring.f2[ring.f2.length === n ? k : 0]]);
     return [...around(ring.f1), ...around(ring.f2), ...across];
   }).filter(([a, b]) => a && b);

@@ -1,6 +1,8 @@
 /* Changes to what was found, as functions of a state that return a new one. Of a state they use
-     {objects: [{f1, f2, holes: [{f1, f2}], projection, reading, sizes: {width, height, depth}, unit}], loose: [{x, y, face}]}
-   and keep whatever else it has. f1[i] joins f2[i]; points are [x, y] in picture pixels; a size is the text of a number, ""
+     {objects: [{f1, f2, holes: [{f1, f2}], arcs, projection, reading, sizes: {width, height, depth}, unit}],
+      loose: [{x, y, face}]}
+   and keep whatever else it has. f1[i] joins f2[i], or the one point of f2; arcs are the curved edges, in the words of a
+   report; points are [x, y] in picture pixels; a size is the text of a number, ""
    if it is not given. A vertex is named by {object, ring, face, index}: ring 0 is the outer one, the others are holes, face
    is 1 or 2; or by {loose: index}. */
 import { given, lengthOf } from "./sizes.js";
@@ -20,14 +22,14 @@ export function where(state, name) {
 export const same = (a, b) => !!a && !!b && JSON.stringify(a) === JSON.stringify(b);
 
 export function newObject(f1, f2) {
-  return { f1, f2, holes: [], projection: "auto", reading: 1, sizes: { width: "", height: "", depth: "" }, unit: "mm" };
+  return { f1, f2, holes: [], arcs: [], projection: "auto", reading: 1, sizes: { width: "", height: "", depth: "" }, unit: "mm" };
 }
 
 /* objects as found, with what was wished for those at the same places before */
 export function withWishes(found, before) {
   return found.map((o, k) => {
     const { projection, sizes, unit } = before[k] || newObject();
-    return { ...newObject(o.f1, o.f2), holes: o.holes, lines: o.lines, projection, sizes, unit };
+    return { ...newObject(o.f1, o.f2), holes: o.holes, arcs: o.arcs || [], lines: o.lines, projection, sizes, unit };
   });
 }
 
@@ -37,12 +39,46 @@ export function moved(state, name, [x, y], together) {
   if ("loose" in name) { Object.assign(next.loose[name.loose], { x, y }); return next; }
   const ring = rings(next.objects[name.object])[name.ring];
   ring[`f${name.face}`][name.index] = [x, y];
-  if (together) {
+  if (together && ring.f1.length === ring.f2.length) {
     const partner = ring[`f${3 - name.face}`][name.index];
     partner[0] += x - from[0];
     partner[1] += y - from[1];
   }
   return next;
+}
+
+const isOf = (arc, face, r) => arc.face === `f${face}` && (arc.hole ?? -1) === r - 1;
+
+/* the points along an arc, turned and scaled so that they run between its vertices, wherever these are now */
+function along({ points }, a, b) {
+  const [p] = points, q = points[points.length - 1], [u, v] = [q[0] - p[0], q[1] - p[1]], size = u * u + v * v || 1;
+  const [x, y] = [b[0] - a[0], b[1] - a[1]], c = (u * x + v * y) / size, s = (u * y - v * x) / size;
+  return points.map(([m, n]) => [a[0] + c * (m - p[0]) - s * (n - p[1]), a[1] + s * (m - p[0]) + c * (n - p[1])]);
+}
+
+/* the points along edge i of a ring of a face: its two vertices, or those of its arc */
+export function edgePoints(object, r, face, i) {
+  const ring = rings(object)[r][`f${face}`], a = ring[i], b = ring[(i + 1) % ring.length];
+  const arc = object.arcs.find(arc => isOf(arc, face, r) && arc.from === i);
+  return arc ? along(arc, a, b) : [a, b];
+}
+
+/* the points round a ring of a face, with those along its arcs */
+export function outline(object, r, face) {
+  const whole = object.arcs.find(arc => isOf(arc, face, r) && arc.from === null);
+  if (whole) return whole.points;
+  return rings(object)[r][`f${face}`].flatMap((_, i) => edgePoints(object, r, face, i).slice(0, -1));
+}
+
+/* the arcs of an object once the vertices of a ring have other numbers: `renamed` tells the new one, null if it is gone or no
+   longer starts the same edge */
+function renumber(object, r, renamed) {
+  const n = rings(object)[r].f1.length;
+  object.arcs = object.arcs.flatMap(arc => {
+    if (arc.from === null || (arc.hole ?? -1) !== r - 1) return [arc];
+    const from = renamed(arc.from);
+    return from === null ? [] : [{ ...arc, from, to: (from + 1) % n }];
+  });
 }
 
 /* the nearest edge of a face to a point: {object, ring, face, index, part, gap}, part 0..1 along it from vertex `index` */
@@ -64,11 +100,17 @@ export function nearestEdge(state, [x, y]) {
 export function inserted(state, edge, point) {
   const next = copy(state), ring = rings(next.objects[edge.object])[edge.ring];
   const mine = ring[`f${edge.face}`], other = ring[`f${3 - edge.face}`], j = (edge.index + 1) % mine.length;
+  if (mine.length !== other.length) {
+    if (edge.face !== 1) return state;  // a point has no edges
+    mine.splice(edge.index + 1, 0, [...point]);
+    return next;
+  }
   const joins = k => [other[k][0] - mine[k][0], other[k][1] - mine[k][1]];
   const [a, b] = [joins(edge.index), joins(j)];
   const partner = point.map((c, k) => c + a[k] * (1 - edge.part) + b[k] * edge.part);
   mine.splice(edge.index + 1, 0, [...point]);
   other.splice(edge.index + 1, 0, partner);
+  renumber(next.objects[edge.object], edge.ring, from => from === edge.index ? null : from + (from > edge.index));
   return next;
 }
 
@@ -77,8 +119,13 @@ export function deleted(state, name) {
   const next = copy(state);
   if ("loose" in name) { next.loose.splice(name.loose, 1); return next; }
   const object = next.objects[name.object], ring = rings(object)[name.ring];
-  if (ring.f1.length > 3) { ring.f1.splice(name.index, 1); ring.f2.splice(name.index, 1); }
-  else if (name.ring > 0) object.holes.splice(name.ring - 1, 1);
+  if (ring.f1.length > 3 && name.face === 2 && ring.f2.length === 1) return state;  // a point is all there is of its face
+  if (ring.f1.length > 3) {
+    const n = ring.f1.length;
+    ring.f1.splice(name.index, 1);
+    if (ring.f2.length > 1) ring.f2.splice(name.index, 1);
+    renumber(object, name.ring, from => from === name.index || (from + 1) % n === name.index ? null : from - (from > name.index));
+  } else if (name.ring > 0) object.holes.splice(name.ring - 1, 1);
   else next.objects.splice(name.object, 1);
   return next;
 }
@@ -88,13 +135,16 @@ export function reassigned(state, name) {
   const next = copy(state);
   if ("loose" in name) { next.loose[name.loose].face = (next.loose[name.loose].face + 1) % 3; return next; }
   const ring = rings(next.objects[name.object])[name.ring], i = name.index;
+  if (ring.f1.length !== ring.f2.length) return state;
   [ring.f1[i], ring.f2[i]] = [ring.f2[i], ring.f1[i]];
   return next;
 }
 
 export function swapped(state, k) {
-  const next = copy(state);
-  for (const ring of rings(next.objects[k])) [ring.f1, ring.f2] = [ring.f2, ring.f1];
+  const next = copy(state), object = next.objects[k];
+  if (object.f1.length !== object.f2.length) return state;  // a point is never in front
+  for (const ring of rings(object)) [ring.f1, ring.f2] = [ring.f2, ring.f1];
+  for (const arc of object.arcs) arc.face = arc.face === "f1" ? "f2" : "f1";
   return next;
 }
 
@@ -109,12 +159,13 @@ export function inside([x, y], ring) {
 
 /* which object a ring would be a hole of, or -1 */
 export function hostOf(state, ring) {
-  return state.objects.findIndex(o => ring.every(p => inside(p, o.f1)));
+  return state.objects.findIndex(o => o.f1.length === o.f2.length && ring.every(p => inside(p, outline(o, 0, 1))));
 }
 
 export function withHole(state, k, ring) {
   const next = copy(state), object = next.objects[k];
-  const d = [0, 1].map(c => object.f2.reduce((s, p, i) => s + p[c] - object.f1[i][c], 0) / object.f1.length);
+  const middle = face => { const o = outline(object, 0, face); return [0, 1].map(c => o.reduce((s, p) => s + p[c], 0) / o.length); };
+  const [a, b] = [middle(1), middle(2)], d = [b[0] - a[0], b[1] - a[1]];
   object.holes.push({ f1: ring, f2: ring.map(p => [p[0] + d[0], p[1] + d[1]]) });
   return next;
 }
@@ -126,9 +177,9 @@ export function withObject(state, f1, f2) {
 }
 
 /* the faces of an object as rings: front, back, then the sides of a box */
-function facesOf({ f1, f2 }) {
-  const side = (i, j) => [f1[i], f1[j], f2[j], f2[i]];
-  return [f1, f2, ...(f1.length === 4 && f2.length === 4 ? [0, 1, 2, 3].map(i => side(i, (i + 1) % 4)) : [])];
+function facesOf(object) {
+  const { f1, f2, arcs } = object, side = (i, j) => [f1[i], f1[j], f2[j], f2[i]];
+  return [outline(object, 0, 1), outline(object, 0, 2), ...(f1.length === 4 && f2.length === 4 && !arcs.length ? [0, 1, 2, 3].map(i => side(i, (i + 1) % 4)) : [])];
 }
 
 /* the object with the face around a point as its front; the same state if there is no such face. Of faces that lie over each
@@ -157,6 +208,7 @@ export function corrections(state, width, height, families = []) {
   const objects = state.objects.map((o, k) => {
     const projection = o.projection === "auto" && families[k] || o.projection;
     const said = { f1: o.f1, f2: o.f2, holes: o.holes, projection };
+    if (o.arcs.length) said.arcs = o.arcs;
     if (o.reading > 1) said.reading = o.reading;
     for (const name of SIZES) {
       const size = lengthOf(o.sizes[name], o.unit);
@@ -170,7 +222,10 @@ export function corrections(state, width, height, families = []) {
 /* all points of a state moved */
 export function shifted(state, dx, dy) {
   const next = copy(state), move = ring => ring.forEach(p => { p[0] += dx; p[1] += dy; });
-  next.objects.forEach(o => rings(o).forEach(r => { move(r.f1); move(r.f2); }));
+  next.objects.forEach(o => {
+    rings(o).forEach(r => { move(r.f1); move(r.f2); });
+    o.arcs.forEach(arc => { move(arc.points); if (arc.ellipse) move([arc.ellipse.center]); });
+  });
   next.loose.forEach(v => { v.x += dx; v.y += dy; });
   return next;
 }
@@ -180,15 +235,15 @@ const isPoint = p => Array.isArray(p) && p.length === 2 && p.every(Number.isFini
 function ringOf(data, points) {
   if (!Array.isArray(data)) throw new Error("a ring is no list");
   const ring = points && data.every(Number.isInteger) ? data.map(k => points[k]) : data;
-  if (ring.length < 1 || !ring.every(isPoint)) throw new Error("a ring is no list of points [x, y]");
+  if (!ring.every(isPoint)) throw new Error("a ring is no list of points [x, y]");
   return ring.map(p => [...p]);
 }
 
-function pairOf(data, points, shift) {
+function pairOf(data, points, shift, arcs) {
   const f1 = ringOf(data.f1, points), d = data.d || shift;
   if (!data.f2 && !isPoint(d)) throw new Error("f2 or d is missing");
   const f2 = data.f2 ? ringOf(data.f2, points) : f1.map(p => [p[0] + d[0], p[1] + d[1]]);
-  if (f1.length !== f2.length || f1.length < 3) throw new Error("f1 and f2 do not match");
+  if (![f1.length, 1].includes(f2.length) || f1.length < (arcs ? 0 : 3)) throw new Error("f1 and f2 do not match");
   return { f1, f2 };
 }
 
@@ -212,6 +267,13 @@ export function fromCorrections(data, state, name, width, height) {
   return { ...state, objects: [...objects, ...rest], loose: [] };
 }
 
+/* an arc on a picture of another size; its ellipse is told anew from its points where the sides differ */
+function fitted(arc, fit, [a, b]) {
+  const { ellipse, ...rest } = arc, points = fit(ringOf(arc.points));
+  if (!ellipse || Math.abs(a - b) > 1e-9) return { ...rest, points };
+  return { ...rest, points, ellipse: { ...ellipse, center: fit([ellipse.center])[0], axes: ellipse.axes.map(x => x * a) } };
+}
+
 /* one object: its faces as the file gives them, or the old ones, with what the file says of it */
 function corrected(data, k, old, scale) {
   if (!data || typeof data !== "object") throw new Error(`its object ${k + 1} is none`);
@@ -219,9 +281,12 @@ function corrected(data, k, old, scale) {
   const fit = ring => ring.map(p => [p[0] * scale[0], p[1] * scale[1]]);
   let object = old && JSON.parse(JSON.stringify(old));
   if (data.f1) {
-    const points = data.vertices && ringOf(data.vertices), outer = pairOf(data, points);
-    const shift = [0, 1].map(c => outer.f2[0][c] - outer.f1[0][c]), holes = (data.holes || []).map(h => pairOf(h, points, shift));
+    const arcs = (data.arcs || []).map(arc => ({ ...arc, hole: arc.hole ?? null, from: arc.from ?? null, to: arc.to ?? null }));
+    const points = data.vertices && ringOf(data.vertices), outer = pairOf(data, points, null, arcs.length);
+    const shift = outer.f1.length ? [0, 1].map(c => outer.f2[0][c] - outer.f1[0][c]) : null;
+    const holes = (data.holes || []).map(h => pairOf(h, points, shift, arcs.length));
     object = { ...newObject(fit(outer.f1), fit(outer.f2)), holes: holes.map(h => ({ f1: fit(h.f1), f2: fit(h.f2) })) };
+    object.arcs = arcs.map(arc => fitted(arc, fit, scale));
   }
   const family = typeof data.projection === "object" ? data.projection?.family : data.projection;
   if (family) object.projection = family;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { corrections, fromCorrections, fronted, newObject, shifted, withWishes } from "./shape.js";
+import { corrections, deleted, edgePoints, fromCorrections, fronted, inserted, moved, newObject, outline, shifted, swapped, withWishes } from "./shape.js";
 import { lengthOf, measure, shown } from "./sizes.js";
 
 const F1 = [[0, 100], [100, 100], [100, 200], [0, 200]], F2 = F1.map(([x, y]) => [x + 60, y - 40]);
@@ -58,4 +58,50 @@ test("wishes stay with the object at their place, a reading does not", () => {
   const [o] = withWishes([{ f1: F2, f2: F1, holes: [], lines: "wire" }], before);
   assert.deepEqual([o.projection, o.unit, o.reading], ["oblique", "cm", 1]);
   assert.deepEqual(shifted({ objects: [o], loose: [{ x: 1, y: 2, face: 0 }] }, 10, 20).loose, [{ x: 11, y: 22, face: 0 }]);
+});
+
+const SLOT = () => {
+  const f1 = [[0, 0], [100, 0], [100, 50], [0, 50]], f2 = f1.map(([x, y]) => [x + 30, y - 20]);
+  const half = (face, from, points) => ({ face, hole: null, from, to: (from + 1) % 4, points, ellipse: { center: [0, 25], axes: [25, 25], angle: 0 } });
+  const arcs = ["f1", "f2"].flatMap((face, k) => [half(face, 1, [[100, 0], [125, 25], [100, 50]]), half(face, 3, [[0, 50], [-25, 25], [0, 0]])]
+    .map(arc => ({ ...arc, points: arc.points.map(([x, y]) => [x + 30 * k, y - 20 * k]) })));
+  return { objects: [{ ...newObject(f1, f2), arcs }], loose: [] };
+};
+const places = object => object.arcs.map(a => `${a.face} ${a.from} ${a.to}`);
+
+test("arcs are kept, go into the corrections and come back", () => {
+  const s = SLOT(), [said] = corrections(s, 500, 400).objects;
+  assert.equal(said.arcs.length, 4);
+  const back = fromCorrections({ ...corrections(s, 500, 400) }, state(), "a.png", 500, 400);
+  assert.deepEqual(places(back.objects[0]), places(s.objects[0]));
+  const half = fromCorrections(corrections(s, 500, 400), state(), "a.png", 250, 200).objects[0].arcs[0];
+  assert.deepEqual([half.points[1], half.ellipse.axes], [[62.5, 12.5], [12.5, 12.5]]);
+  assert.equal("arcs" in corrections(state(), 500, 400).objects[0], false);
+});
+
+test("outlines follow arcs, and arcs follow their vertices", () => {
+  const s = SLOT();
+  assert.deepEqual(outline(s.objects[0], 0, 1), [[0, 0], [100, 0], [125, 25], [100, 50], [0, 50], [-25, 25]]);
+  const next = moved(s, { object: 0, ring: 0, face: 1, index: 2 }, [100, 100], false);
+  assert.deepEqual(edgePoints(next.objects[0], 0, 1, 1), [[100, 0], [150, 50], [100, 100]]);
+  assert.deepEqual(shifted(s, 10, 5).objects[0].arcs[0].points[1], [135, 30]);
+  assert.deepEqual(places(swapped(s, 0).objects[0]), ["f2 1 2", "f2 3 0", "f1 1 2", "f1 3 0"]);
+});
+
+test("arcs keep their edges when vertices come and go", () => {
+  const s = SLOT(), edge = { object: 0, ring: 0, face: 1, index: 0, part: 0.5 };
+  assert.deepEqual(places(inserted(s, edge, [50, 0]).objects[0]), ["f1 2 3", "f1 4 0", "f2 2 3", "f2 4 0"]);
+  assert.deepEqual(places(inserted(s, { ...edge, index: 1 }, [125, 25]).objects[0]), ["f1 4 0", "f2 4 0"]);
+  assert.deepEqual(places(deleted(s, { object: 0, ring: 0, face: 1, index: 1 }).objects[0]), ["f1 2 0", "f2 2 0"]);
+});
+
+test("whole ellipses and points are read", () => {
+  const circle = face => ({ face, hole: null, from: null, to: null, points: [[0, 0], [9, 0], [9, 9], [0, 9]] });
+  const one = fromCorrections({ objects: [{ f1: [], f2: [], arcs: [circle("f1"), circle("f2")] }] }, state(), "a.png", 9, 9);
+  assert.equal(outline(one.objects[0], 0, 2).length, 4);
+  const cone = fromCorrections({ objects: [{ f1: [], f2: [[4, 30]], arcs: [circle("f1")] }] }, state(), "a.png", 9, 9);
+  assert.equal(swapped(cone, 0), cone);
+  const pyramid = fromCorrections({ objects: [{ f1: F1, f2: [[50, 0]] }] }, state(), "a.png", 9, 9);
+  assert.deepEqual(pyramid.objects[0].f2, [[50, 0]]);
+  assert.equal(deleted(pyramid, { object: 0, ring: 0, face: 2, index: 0 }), pyramid);
 });
