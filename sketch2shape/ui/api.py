@@ -17,7 +17,7 @@ from sketch2shape.errors import UsageError
 from sketch2shape.ui import jobs
 from sketch2shape.ui.answers import in_plain_words, plain_refusal
 from sketch2shape.ui.form import file_of
-from sketch2shape.ui.guard import Guard, read_body
+from sketch2shape.ui.guard import Guard, Uploads
 from sketch2shape.ui.openapi import MEDIA, OPTIONS, VECTOR_KINDS, description
 from sketch2shape.ui.workers import WorkerPool, Workers
 
@@ -56,7 +56,7 @@ class _Service:
     """The request that needs work done."""
 
     def __init__(self, workers: Workers | None, processes: int, max_upload: int, seconds: float) -> None:
-        self._workers, self._processes, self._max_upload, self._seconds = workers, processes, max_upload, seconds
+        self._workers, self._processes, self._uploads, self._seconds = workers, processes, Uploads(max_upload), seconds
 
     @asynccontextmanager
     async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
@@ -77,11 +77,10 @@ class _Service:
         if self._workers is None:
             raise RuntimeError("the app has not been started")
         product, options = _asked(dict(request.query_params))
-        body = await read_body(request, _KINDS, self._max_upload)
         content_type = request.headers.get("content-type", "")
-        if content_type.lower().startswith("multipart/"):
-            body = file_of(body, content_type)
-        made = await self._workers.run(jobs.make_product, body, product, options, seconds=self._seconds)
+        async with self._uploads.body(request, _KINDS) as sent:
+            body = file_of(sent, content_type) if content_type.lower().startswith("multipart/") else sent
+            made = await self._workers.run(jobs.make_product, body, product, options, seconds=self._seconds)
         return Response(made, media_type=MEDIA[product])
 
 

@@ -24,7 +24,7 @@ from sketch2shape import __version__
 from sketch2shape.ui import jobs
 from sketch2shape.ui.answers import in_plain_words, plain_refusal
 from sketch2shape.ui.examples import EXAMPLES, example_png
-from sketch2shape.ui.guard import Guard, Refusal, read_body
+from sketch2shape.ui.guard import Guard, Refusal, Uploads
 from sketch2shape.ui.hosts import LOCAL_NAMES
 from sketch2shape.ui.offers import offered_formats, readable_extras
 from sketch2shape.ui.openapi import VECTOR_KINDS
@@ -56,6 +56,7 @@ def create_app(
     names: frozenset[str] = LOCAL_NAMES,
     max_upload: int = 24 * 2**20,
     seconds: float = 60.0,
+    key: str | None = None,
 ) -> Starlette:
     """The ASGI application.
 
@@ -63,6 +64,7 @@ def create_app(
     names      : host names the app answers to
     max_upload : largest picture taken, bytes
     seconds    : time limit for one picture
+    key        : only who shows it is served; None: everybody
     """
     service = _Service(workers, max_upload, seconds)
     routes = [Route(address, _page_file, methods=["GET"]) for address in _PAGE_FILES]
@@ -80,7 +82,7 @@ def create_app(
     ]
     return Starlette(
         routes=routes,
-        middleware=[Middleware(Guard, names=names)],
+        middleware=[Middleware(Guard, names=names, key=key)],
         exception_handlers={404: plain_refusal, 405: plain_refusal},
         lifespan=service.lifespan,
     )
@@ -90,7 +92,7 @@ class _Service:
     """The requests that need work done."""
 
     def __init__(self, workers: Workers | None, max_upload: int, seconds: float) -> None:
-        self._workers, self._max_upload, self._seconds = workers, max_upload, seconds
+        self._workers, self._uploads, self._seconds = workers, Uploads(max_upload), seconds
 
     @asynccontextmanager
     async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
@@ -110,20 +112,33 @@ class _Service:
             raise RuntimeError("the app has not been started")
         return self._workers
 
+    @asynccontextmanager
+    async def _json(self, request: Request, *, with_picture: bool = False) -> AsyncIterator[Mapping[str, Any]]:
+        """The body as a JSON object, held while it is used. Raises Refusal."""
+        most = _MOST_JSON + (self._uploads.each * 4 // 3 if with_picture else 0)
+        async with self._uploads.body(request, ("application/json",), most) as body:
+            try:
+                data = json.loads(body)
+            except (ValueError, RecursionError) as error:
+                raise Refusal(400, "the request is not JSON") from error
+            if not isinstance(data, dict):
+                raise Refusal(400, "the request is not a JSON object")
+            yield data
+
     @in_plain_words
     async def reconstruct(self, request: Request) -> Response:
         """Picture bytes in; objects, solids and stages out."""
-        data = await read_body(request, _PICTURE_KINDS, self._max_upload)
         name = unquote(request.headers.get("x-name", ""))[:200] or "drawing"
         page = request.headers.get("x-page", "0")
         number = int(page) if page.isdecimal() and len(page) < 6 else 0
-        found = await self.workers.run(jobs.reconstruct_picture, data, name, number, seconds=self._seconds)
+        async with self._uploads.body(request, _PICTURE_KINDS) as data:
+            found = await self.workers.run(jobs.reconstruct_picture, data, name, number, seconds=self._seconds)
         return JSONResponse(found)
 
     async def about(self, _request: Request) -> Response:
         """What the page offers: examples, formats, kinds of files that can be read here, the largest upload."""
         listed = [{"name": name, "title": example.title} for name, example in EXAMPLES.items()]
-        offers = {"formats": offered_formats(), "reads": readable_extras(), "most": self._max_upload}
+        offers = {"formats": offered_formats(), "reads": readable_extras(), "most": self._uploads.each}
         return JSONResponse({"examples": listed, **offers, "version": __version__})
 
     async def queue(self, _request: Request) -> Response:
@@ -133,55 +148,45 @@ class _Service:
     @in_plain_words
     async def sketch(self, request: Request) -> Response:
         """Strokes in; objects and solids out."""
-        data = await _read_json(request, _MOST_JSON)
-        return JSONResponse(await self.workers.run(jobs.reconstruct_sketch, data, seconds=_LIFT_SECONDS))
+        async with self._json(request) as data:
+            return JSONResponse(await self.workers.run(jobs.reconstruct_sketch, data, seconds=_LIFT_SECONDS))
 
     @in_plain_words
     async def readings(self, request: Request) -> Response:
         """{"corrections": ..., "object": number} in; the solids it may be of out."""
-        data = await _read_json(request, _MOST_JSON)
-        asked = data.get("corrections"), data.get("object")
-        return JSONResponse({"readings": await self.workers.run(jobs.other_readings, *asked, seconds=_LIFT_SECONDS)})
+        async with self._json(request) as data:
+            asked = data.get("corrections"), data.get("object")
+            readings = await self.workers.run(jobs.other_readings, *asked, seconds=_LIFT_SECONDS)
+        return JSONResponse({"readings": readings})
 
     @in_plain_words
     async def lift(self, request: Request) -> Response:
         """Corrections in, solids out."""
-        data = await _read_json(request, _MOST_JSON)
-        return JSONResponse(await self.workers.run(jobs.lift_corrections, data, seconds=_LIFT_SECONDS))
+        async with self._json(request) as data:
+            return JSONResponse(await self.workers.run(jobs.lift_corrections, data, seconds=_LIFT_SECONDS))
 
     @in_plain_words
     async def connect(self, request: Request) -> Response:
         """{"front": points, "back": points} in, rings out."""
-        data = await _read_json(request, _MOST_JSON)
-        front, back = (data.get(k) for k in ("front", "back"))
-        return JSONResponse(await self.workers.run(jobs.connect_loose, front, back, seconds=_LIFT_SECONDS))
+        async with self._json(request) as data:
+            front, back = (data.get(k) for k in ("front", "back"))
+            return JSONResponse(await self.workers.run(jobs.connect_loose, front, back, seconds=_LIFT_SECONDS))
 
     @in_plain_words
     async def stages(self, request: Request) -> Response:
         """{"picture": base64, "corrections": ...} in, the stages' pictures out."""
-        data = await _read_json(request, self._max_upload * 4 // 3 + _MOST_JSON)
-        picture = jobs.picture_bytes(data.get("picture"))
-        found = await self.workers.run(jobs.show_stages, picture, data.get("corrections"), seconds=self._seconds)
+        async with self._json(request, with_picture=True) as data:
+            picture = jobs.picture_bytes(data.get("picture"))
+            found = await self.workers.run(jobs.show_stages, picture, data.get("corrections"), seconds=self._seconds)
         return JSONResponse(found)
 
     @in_plain_words
     async def export(self, request: Request) -> Response:
         """Corrections in, a file out."""
-        data = await _read_json(request, self._max_upload * 4 // 3 + _MOST_JSON)
-        made = await self.workers.run(jobs.export_corrections, data, request.path_params["form"], seconds=self._seconds)
+        form = request.path_params["form"]
+        async with self._json(request, with_picture=True) as data:
+            made = await self.workers.run(jobs.export_corrections, data, form, seconds=self._seconds)
         return Response(made, media_type="application/octet-stream")
-
-
-async def _read_json(request: Request, most: int) -> Mapping[str, Any]:
-    """The body as a JSON object. Raises Refusal."""
-    body = await read_body(request, ("application/json",), most)
-    try:
-        data = json.loads(body)
-    except (ValueError, RecursionError) as error:
-        raise Refusal(400, "the request is not JSON") from error
-    if not isinstance(data, dict):
-        raise Refusal(400, "the request is not a JSON object")
-    return data
 
 
 @cache

@@ -9,11 +9,14 @@ believed.
 from __future__ import annotations
 
 import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from sketch2shape.ui import share
 from sketch2shape.ui.hosts import host_name
 
 _HEADERS = {
@@ -46,9 +49,12 @@ class Refusal(Exception):  # noqa: N818 - it is an answer, not a failure of the 
 class Guard:
     """ASGI middleware: checks Host and Origin, and adds the headers that keep the page to itself."""
 
-    def __init__(self, app: ASGIApp, names: frozenset[str]) -> None:
-        """Let requests through that are addressed to one of `names` (without port, IPv6 in brackets)."""
-        self.app, self.names = app, frozenset(n.lower() for n in names)
+    def __init__(self, app: ASGIApp, names: frozenset[str], key: str | None = None) -> None:
+        """Let requests through that are addressed to one of `names` (without port, IPv6 in brackets).
+
+        key : if given, only those who have shown it are served, see `share`
+        """
+        self.app, self.names, self.key = app, frozenset(n.lower() for n in names), key
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve or refuse one request."""
@@ -66,7 +72,9 @@ class Guard:
             await send(message)
 
         refusal = self._refusal(scope)
-        target = self.app if refusal is None else refusal.response()
+        target: ASGIApp = self.app if refusal is None else refusal.response()
+        if refusal is None and self.key is not None:
+            target = share.refusal(scope, self.key) or target
         await target(scope, receive, send_guarded)
 
     def _refusal(self, scope: Scope) -> Refusal | None:
@@ -84,34 +92,68 @@ class Guard:
         return None
 
 
-async def read_body(request: Request, kinds: tuple[str, ...], most: int) -> bytes:
-    """The request's body: of one of these media types ("image/" admits all of its kind) and at most `most` bytes.
+class Uploads:
+    """Bodies that are in memory: of one at most `each` bytes are read, and together they take at most `together`."""
 
-    Raises Refusal.
-    """
+    def __init__(self, each: int, together: int = 512 * 2**20) -> None:
+        """Hold nothing yet."""
+        self.each, self._together, self._held = each, max(together, each), 0
+
+    @asynccontextmanager
+    async def body(self, request: Request, kinds: tuple[str, ...], most: int | None = None) -> AsyncIterator[bytes]:
+        """The request's body, of one of these media types ("image/" admits all of its kind), held while it is used.
+
+        most : bytes, where it is not `each`
+
+        Raises Refusal.
+        """
+        most = self.each if most is None else most
+        _check_kind(request, kinds, most)
+        held = _Held(self)
+        try:
+            try:
+                async with asyncio.timeout(_BODY_SECONDS):
+                    data = await held.read(request, most)
+            except TimeoutError as error:
+                raise Refusal(408, "the upload took too long", "try again") from error
+            except ClientDisconnect as error:
+                raise Refusal(400, "the upload was cut off", "try again") from error
+            yield data
+        finally:
+            self._held -= held.size
+
+    def hold(self, size: int) -> None:
+        """Count bytes in. Raises Refusal if they are too many."""
+        if self._held + size > self._together:
+            raise Refusal(503, "too much is being sent at once", "wait a moment and try again")
+        self._held += size
+
+
+class _Held:
+    """One body on its way."""
+
+    def __init__(self, uploads: Uploads) -> None:
+        self.uploads, self.size = uploads, 0
+
+    async def read(self, request: Request, most: int) -> bytes:
+        chunks = []
+        async for chunk in request.stream():
+            if self.size + len(chunk) > most:
+                raise _too_large(most)
+            self.uploads.hold(len(chunk))
+            self.size += len(chunk)
+            chunks.append(chunk)
+        return b"".join(chunks)
+
+
+def _check_kind(request: Request, kinds: tuple[str, ...], most: int) -> None:
+    """Refuse a body by what its head says of it."""
     kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if not any(kind == k or (k.endswith("/") and kind.startswith(k)) for k in kinds):
         raise Refusal(415, f"a body of type {kind[:60] or 'none'!r} is not taken here", "send " + " or ".join(kinds))
     length = request.headers.get("content-length", "0")
     if not length.isdigit() or int(length[:20]) > most:
         raise _too_large(most)
-    try:
-        async with asyncio.timeout(_BODY_SECONDS):
-            return await _read_counted(request, most)
-    except TimeoutError as error:
-        raise Refusal(408, "the upload took too long", "try again") from error
-    except ClientDisconnect as error:
-        raise Refusal(400, "the upload was cut off", "try again") from error
-
-
-async def _read_counted(request: Request, most: int) -> bytes:
-    chunks, size = [], 0
-    async for chunk in request.stream():
-        size += len(chunk)
-        if size > most:
-            raise _too_large(most)
-        chunks.append(chunk)
-    return b"".join(chunks)
 
 
 def _too_large(most: int) -> Refusal:
