@@ -1,4 +1,4 @@
-"""axe-core has nothing to object to in any state of the page, by day and by night; small screens and fingers are served."""
+"""axe-core has nothing to object to in any state of the page, by day and by night; small screens, fingers."""
 
 from __future__ import annotations
 
