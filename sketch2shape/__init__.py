@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from sketch2shape.errors import WriteError as WriteError
     from sketch2shape.ink import find_ink as find_ink
     from sketch2shape.lifting import LiftOptions as LiftOptions
+    from sketch2shape.model import DrawnArc as DrawnArc
+    from sketch2shape.model import Ellipse as Ellipse
     from sketch2shape.model import FacePair as FacePair
     from sketch2shape.model import Ink as Ink
     from sketch2shape.model import Picture as Picture
@@ -68,7 +70,7 @@ _ROOMS = {
     ),
     "ink": ("find_ink",),
     "lifting": ("LiftOptions",),
-    "model": ("FacePair", "Ink", "Picture", "Projection", "TwoFaceObject"),
+    "model": ("DrawnArc", "Ellipse", "FacePair", "Ink", "Picture", "Projection", "TwoFaceObject"),
     "pipeline": ("Result", "Solid", "lift", "reconstruct"),
     "reading": ("Limits", "read_picture"),
     "search": ("separate_faces",),

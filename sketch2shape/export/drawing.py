@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -91,6 +90,17 @@ def _svg_layer(lines: list[DrawnLine], layer: str) -> str:
     shown = [line for line in lines if line.visible == (layer == "visible")]
     path = " ".join("M" + "L".join(f"{x:.3f} {y:.3f}" for x, y in line.points) for line in shown)
     return f'<g class="{layer}"{style}><path d="{path}"/></g>'
+
+
+def _dxf_line(line: DrawnLine, layer: str) -> list[str]:
+    """A line, or a polyline along a curve."""
+    if len(line.points) == 2:
+        (x1, y1), (x2, y2) = line.points
+        return ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
+    rows = ["0", "POLYLINE", "8", layer, "66", "1", "70", "0", *_pair(10, 0.0, 0.0), "30", "0.0"]
+    for x, y in line.points:
+        rows += ["0", "VERTEX", "8", layer, *_pair(10, x, -y)]
+    return [*rows, "0", "SEQEND", "8", layer]
 
 
 def _dxf_ring(ring: FlatRing, layer: str) -> list[str]:

@@ -114,7 +114,7 @@ def _described(way: Option, drawing: Drawing, options: LiftOptions) -> Shape:
     warnings = list(shape.warnings)
     if options.projection == "perspective" and shape.family != "perspective":
         warnings.append("nothing converges: read as a parallel view")
-    if shape.taper != 1.0 and not shape.pointed:
+    if shape.taper != 1.0 and not shape.pointed and shape.bent is None:
         times = f"{shape.taper:.2f} times the front face"
         warnings.append(f"the back face is {times}: taken as a tapered object with a straight axis")
     evidence = {

@@ -13,6 +13,7 @@ from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.picture import Picture
 from sketch2shape.pipeline.result import Result
 from sketch2shape.solids import drawn_lines
+from tests.lifting.round_views import CIRCLE, STANDING, Drawer, axonometric
 from tests.solids.round_bodies import ROUND
 
 FACE = np.array([[100, 100], [300, 100], [300, 250], [100, 250.0]])
@@ -196,3 +197,21 @@ def test_dxf_of_a_flat_face_has_bulges_and_circles(name):
     area += float((np.sign(turn[bent]) * radius**2 / 2 * (np.abs(turn[bent]) - np.sin(np.abs(turn[bent])))).sum())
     area = abs(area) - sum(np.pi * c.dxf.radius**2 for c in space.query("CIRCLE"))
     assert area == pytest.approx(volume / np.ptp(solid.vertices[:, 2]), rel=1e-4)
+
+
+@pytest.mark.parametrize("format", ["svg", "dxf"])
+def test_the_drawing_of_a_cylinder_has_rims_and_outlines(format):
+    obj = Drawer(axonometric(), STANDING).draw([CIRCLE], 1.5)
+    text = encode(result(obj), format).decode()
+    if format == "svg":
+        root = ET.fromstring(text)
+        groups = {g.get("class"): g[0].get("d") for g in root.iter("{http://www.w3.org/2000/svg}g") if g.get("class")}
+        assert groups["visible"].count("M") in (4, 5)  # the lower rim may begin where it is seen
+        assert groups["hidden"].count("M") == 1
+        return
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf reads DXF back and is not installed")
+    import io
+
+    space = ezdxf.read(io.StringIO(text)).modelspace()
+    assert [line.dxf.layer for line in space.query("LINE")] == ["VISIBLE"] * 2
+    assert {p.dxf.layer for p in space.query("POLYLINE")} == {"VISIBLE", "HIDDEN"}
