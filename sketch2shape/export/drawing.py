@@ -46,8 +46,7 @@ def drawing_dxf(objects: Sequence[TwoFaceObject], solids: Sequence[Solid]) -> st
     for obj, solid in zip(objects, solids, strict=True):
         for line in drawn_lines(obj, solid):
             layer = "VISIBLE" if line.visible else "HIDDEN"
-            for (x1, y1), (x2, y2) in pairwise(line.points):
-                entities += ["0", "LINE", "8", layer, *dxf_pair(10, x1, -y1), *dxf_pair(11, x2, -y2)]
+            entities += _dxf_line(line, layer)
     return dxf_file({"VISIBLE": "CONTINUOUS", "HIDDEN": "DASHED"}, entities, "px")
 
 
@@ -96,10 +95,10 @@ def _dxf_line(line: DrawnLine, layer: str) -> list[str]:
     """A line, or a polyline along a curve."""
     if len(line.points) == 2:
         (x1, y1), (x2, y2) = line.points
-        return ["0", "LINE", "8", layer, *_pair(10, x1, -y1), *_pair(11, x2, -y2)]
-    rows = ["0", "POLYLINE", "8", layer, "66", "1", "70", "0", *_pair(10, 0.0, 0.0), "30", "0.0"]
+        return ["0", "LINE", "8", layer, *dxf_pair(10, x1, -y1), *dxf_pair(11, x2, -y2)]
+    rows = ["0", "POLYLINE", "8", layer, "66", "1", "70", "0", *dxf_pair(10, 0.0, 0.0), "30", "0.0"]
     for x, y in line.points:
-        rows += ["0", "VERTEX", "8", layer, *_pair(10, x, -y)]
+        rows += ["0", "VERTEX", "8", layer, *dxf_pair(10, x, -y)]
     return [*rows, "0", "SEQEND", "8", layer]
 
 
