@@ -15,6 +15,8 @@ from sketch2shape.strokes import Skeleton
 
 MOST_POINTS = 2000
 """Skeleton pixels that are compared, at most."""
+MOST_KNOWN = 1000
+"""The same of lines that are known, which no thinning has roughened."""
 UNIT = 0.01
 """Fraction of the drawing's size in which lengths are told, if the pen is not wider."""
 LEAST_NOISE, PEN_NOISE = 0.4, 0.05
@@ -79,7 +81,7 @@ def observe(group: Group, skeleton: Skeleton) -> View:
     """The view of a group of ink."""
     paths = [p for p in skeleton.paths if len(p)] or [np.zeros((0, 2), np.int32)]
     pixels, owner = np.concatenate(paths), np.repeat(np.arange(len(paths)), [len(p) for p in paths])
-    step = max(1, -(-len(pixels) // MOST_POINTS))
+    step = max(1, -(-len(pixels) // (MOST_KNOWN if skeleton.is_known else MOST_POINTS)))
     points, owner = pixels[::step], owner[::step]
     x, y = np.rint(points).astype(np.intp).T
     small = ~group.solid[y, x]

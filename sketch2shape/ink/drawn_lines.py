@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 import cv2
@@ -9,8 +10,12 @@ import numpy as np
 
 from sketch2shape.model import Bools, Floats, Ink, VectorDrawing, VectorLine, as_gray
 
-SIZE = 560.0
-"""Working pixels along the diagonal of what is drawn: as on the sheets with which all tolerances were chosen."""
+RULED, BY_HAND = 560.0, 400.0
+"""Working pixels along the diagonal of what is drawn: as on the sheets with which all tolerances were chosen; fewer for
+lines of a hand, whose wobble then is as many pixels wide as those tolerances."""
+STRAIGHT, LONG, MOSTLY = 2e-4, 0.05, 0.8
+"""Lines are ruled if they are straight, to within this part of the diagonal, for this part of it at a stretch, in this
+part of their length."""
 PEN = 2.0
 """Working pixels of the pen with which the mask is drawn: a fine one."""
 MARGIN = 12
@@ -29,7 +34,8 @@ def ink_of_lines(drawing: VectorDrawing) -> Ink:
     if not len(points):
         return Ink(np.zeros((1, 1), np.bool_), np.zeros((1, 1), np.uint8), 1.0, lines=())
     low, span = points.min(axis=0), np.ptp(points, axis=0)
-    scale = SIZE / max(float(np.hypot(*span)), 1e-9)
+    diagonal = max(float(np.hypot(*span)), 1e-9)
+    scale = (RULED if _is_ruled(drawing.lines, diagonal) else BY_HAND) / diagonal
     origin = low - MARGIN / scale
     lines = [line.mapped(origin, scale) for line in drawing.lines]
     settled = sorted((_settled(line) for line in lines), key=lambda line: line.points[[0, -1]].ravel().tolist())
@@ -37,6 +43,28 @@ def ink_of_lines(drawing: VectorDrawing) -> Ink:
     mask = np.asarray(drawn([p for line in settled for p in strokes_of(line)], (height, width)), np.bool_)
     at = (float(origin[0] - 0.5 / scale), float(origin[1] - 0.5 / scale))
     return Ink(mask, as_gray(mask.view(np.uint8) * 255), PEN, scale, origin=at, lines=tuple(settled))
+
+
+def _is_ruled(lines: Iterable[VectorLine], diagonal: float) -> bool:
+    """Whether most of what is drawn is straight, or a curve of a program."""
+    ruled = every = 0.0
+    for line in lines:
+        length = _length(line.points)
+        if length < LONG * diagonal:
+            continue  # a dash, which tells nothing
+        every += length
+        if line.curved or len(line.points) == 2:
+            ruled += length
+            continue
+        placed = ((line.points - line.points[0]) / diagonal).astype(np.float32)
+        chords = cv2.approxPolyDP(placed[:, None], STRAIGHT, False)[:, 0]
+        lengths = np.hypot(*np.diff(chords, axis=0).T)
+        ruled += diagonal * float(lengths[lengths > LONG].sum())
+    return ruled >= MOSTLY * every
+
+
+def _length(points: Floats) -> float:
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 
 def _settled(line: VectorLine) -> VectorLine:

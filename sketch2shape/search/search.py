@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sketch2shape.evidence import (
+    PERFECT,
     REFUSE_BELOW,
     Comparison,
     Energy,
@@ -56,6 +57,8 @@ COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
 MAIN = 0.5
 """Part of the ink from which on an answer that is drawn whole tells the noise of the hand, whatever else is drawn."""
+EXACT = 0.05
+"""Noise of lines, pixels, that no pen on paper and no pixels have: of lines that come as vectors."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 MOST_PATHS = 2500
@@ -228,6 +231,8 @@ def _refined_of(attempt: Attempt) -> list[Found]:
         vertices += sum(rings.sizes)
         rings, evidence = _at_dashes(rings, evidence, sheet, traced)
         found.append(_refined(traced, rings, evidence, sheet))
+        if found[-1].noise < EXACT and found[-1].evidence.score > PERFECT:
+            break
     return found
 
 

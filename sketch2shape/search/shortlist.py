@@ -22,6 +22,8 @@ MOST_HYPOTHESES = 160
 """Hypotheses of one source that are looked at."""
 FIRST = 4
 """Hypotheses of the first batch for each that is enough."""
+FIRST_KNOWN = 2
+"""Hypotheses of the first batch where lines are known: corners are in their places, and the best come first."""
 PLAIN = 1.0
 """How much connecting edges may differ, as a part of the reach, where the back face is the front face moved."""
 LARGEST_BATCH = 24
@@ -43,7 +45,8 @@ def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], en
     """
     fresh: list[Judged] = []
     perfect = 0
-    for looked_at, batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, FIRST * enough):
+    first = FIRST_KNOWN if sheet.skeleton.is_known else FIRST * enough
+    for looked_at, batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, first):
         fresh += batch
         best = [rings for rings, evidence in batch if evidence.score > PERFECT]
         perfect += len(best)

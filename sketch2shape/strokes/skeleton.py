@@ -34,6 +34,11 @@ class Skeleton:
     paths: tuple[NDArray[Any], ...]
     pen_width: float
 
+    @property
+    def is_known(self) -> bool:
+        """Whether the lines came as vectors: where they run is known between the pixels."""
+        return bool(self.paths) and self.paths[0].dtype.kind == "f"
+
     @cached_property
     def distance(self) -> NDArray[np.float32]:
         """(h, w), distance of every pixel to the skeleton, pixels."""

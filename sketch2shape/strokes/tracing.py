@@ -58,8 +58,7 @@ def _pieces(skeleton: Skeleton, tolerance: float, where: Bools | None) -> tuple[
     if not paths:
         return np.zeros((0, 2)), np.zeros(0, np.intp), np.zeros(0, np.intp)
     points = np.concatenate(paths)
-    is_thinned = points.dtype.kind == "i"
-    bends = _pixel_bends(paths, tolerance, skeleton.mask.shape) if is_thinned else _point_bends(paths, tolerance)
+    bends = _point_bends(paths, tolerance) if skeleton.is_known else _pixel_bends(paths, tolerance, skeleton.mask.shape)
     index = np.concatenate(bends)
     run = np.diff(index) > 0
     run[np.cumsum([len(b) for b in bends])[:-1] - 1] = False
