@@ -1,15 +1,16 @@
 """Send the web app requests that no page of its own would send, and see that it answers each properly and goes on.
 
-    python scripts/hostile_requests.py [COUNT] [SEED]
+    python scripts/hostile_requests.py [COUNT] [SEED] [ui|serve]
 
-Starts `sketch2shape ui` on a free port of this machine, sends COUNT (1,000) requests made from SEED, and prints how
-many got which status and how the memory of the app's processes grew. Exits 1 if a status was wrong or the app stopped
-answering.
+Starts `sketch2shape ui`, or `serve`, on a free port of this machine, sends COUNT (1,000) requests made from SEED, and
+prints how many got which status and how the memory of the processes grew. Exits 1 if a status was wrong or the app
+stopped answering.
 """
 
 from __future__ import annotations
 
 import random
+import re
 import socket
 import struct
 import subprocess
@@ -17,10 +18,12 @@ import sys
 import zlib
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 TIMEOUT = 60.0
+#: what the service may answer to any of these requests: it has fewer pages, and refuses in other places
+REFUSED = frozenset({400, 403, 404, 405, 408, 413, 415, 421, 422, 431, 0})
 POST = b"POST /api/lift HTTP/1.1\r\nHost: 127.0.0.1\r\n"
 
 
@@ -243,24 +246,35 @@ class Verdict:
     memory: tuple[int, int]
 
 
-def run(count: int, seed: int) -> Verdict:
+def addressed(attack: Attack) -> Attack:
+    """The same request to the service."""
+    request = attack.request
+    for path in (b"/api/reconstruct", b"/api/lift", b"/api/stages", b"/api/export/stl"):
+        request = request.replace(b" " + path + b" ", b" /v1/reconstruct ")
+    return replace(attack, request=request, statuses=REFUSED)
+
+
+def run(count: int, seed: int, served: str = "ui") -> Verdict:
     """Start the app, attack it, see that it still serves its page."""
     rng = random.Random(seed)
-    command = [sys.executable, "-m", "sketch2shape", "ui", "--no-browser", "--port", "0", "--max-upload", "4"]
+    command = [sys.executable, "-m", "sketch2shape", served, "--port", "0", "--max-upload", "4"]
     wrong, counts, before = [], Counter[tuple[str, int]](), 0
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as app:
+    with subprocess.Popen(command + ["--no-browser"] * (served == "ui"), stdout=subprocess.PIPE, text=True) as app:
         try:
-            port = int(app.stdout.readline().split("://127.0.0.1:")[1].split("/")[0]) if app.stdout else 0
+            told = app.stdout.readline() if app.stdout else ""
+            port = int(re.findall(r"\d{4,5}", told)[-1])
             for k in range(count):
                 attack = KINDS[k % len(KINDS)](rng)
+                if served == "serve":
+                    attack = addressed(attack)
                 status = send(port, attack)
                 counts[attack.kind, status] += 1
                 if status not in attack.statuses:
                     wrong.append(f"{attack.kind}: {status} for {attack.request[:160]!r}")
                 if k == min(count - 1, 10 * len(KINDS)):
                     before = memory_of(app.pid)
-            alive = Attack("own page", http("GET", "/", {}), frozenset({200}))
-            if send(port, alive) != 200 or app.poll() is not None:
+            page = "/" if served == "ui" else "/health"
+            if send(port, Attack("own page", http("GET", page, {}), frozenset({200}))) != 200 or app.poll() is not None:
                 wrong.append("the app no longer serves its page")
             memory = (before, memory_of(app.pid))
         finally:
@@ -272,7 +286,7 @@ def run(count: int, seed: int) -> Verdict:
 def main() -> int:
     given = [int(a) for a in sys.argv[1:3]]
     count, seed = given + [1000, 1][len(given) :]
-    verdict = run(count, seed)
+    verdict = run(count, seed, *sys.argv[3:4])
     for (kind, status), times in sorted(verdict.counts.items()):
         print(f"{times:5d}  {kind}: {status or 'closed'}")
     print(

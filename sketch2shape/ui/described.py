@@ -13,6 +13,7 @@ from sketch2shape.model import Answer, Floats, Solid, TwoFaceObject
 from sketch2shape.pictures.facets import stand
 from sketch2shape.pictures.viewer import shape
 from sketch2shape.pipeline.report import curves
+from sketch2shape.solids import shape_name
 
 
 def described(answer: Answer) -> dict[str, Any]:
@@ -43,6 +44,7 @@ def _object(obj: TwoFaceObject, sure: float) -> dict[str, Any]:
 
 def _fact(solid: Solid, sure: float) -> dict[str, Any]:
     return {
+        "shape": shape_name(solid),
         "projection": solid.projection.family,
         "size": [round(d, 4) for d in solid.dimensions],
         "volume": float(f"{abs(solid.volume):.6g}"),

@@ -20,6 +20,7 @@ from sketch2shape.ui.described import described, rounded
 
 _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
+_MOST_LEFT = 40  # strokes that are told to fit nothing
 _MOST_SIDE = 40_000  # of a picture that corrections claim to belong to
 
 
@@ -62,17 +63,26 @@ def reconstruct_sketch(data: Any) -> dict[str, Any]:
     found, problem = _found(picture)
     objects = tuple(_on_sheet(obj, picture) for obj in found.objects)
     solids = tuple(replace(lift(obj), confidence=s.confidence) for obj, s in zip(objects, found.solids, strict=True))
+    if problem and picture.drawing:
+        origin, scale = np.array(picture.drawing.origin), picture.drawing.scale
+        problem["left"] = [rounded(origin + np.array(ends) / scale) for ends in problem["left"]]
     return {**described(Answer(objects, solids, picture)), "problem": problem}
 
 
-def _found(picture: Picture) -> tuple[Answer, dict[str, str] | None]:
-    """The answer, or the best guess and why it is none."""
+def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:
+    """The answer; or the best guess, why it is none, and the strokes that it leaves out."""
+    from sketch2shape.evidence import unexplained_strokes
+    from sketch2shape.ink import find_ink
     from sketch2shape.pipeline import reconstruct
 
     try:
         return reconstruct(picture), None
     except NoObjectError as error:
-        return error.guess or Answer((), (), picture), {"error": error.message, "advice": error.advice}
+        guess = error.guess or Answer((), (), picture)
+        left = (
+            unexplained_strokes(find_ink(picture), guess.objects)[:_MOST_LEFT] if guess.objects else np.zeros((0, 2, 2))
+        )
+        return guess, {"error": error.message, "advice": error.advice, "left": [rounded(ends) for ends in left]}
 
 
 def _on_sheet(obj: TwoFaceObject, picture: Picture) -> TwoFaceObject:

@@ -389,6 +389,75 @@ def test_corrections_are_saved_and_read_back(page: Chrome, address: str, box_fil
     wait(lambda: place(page, 1, 0) == pytest.approx(moved))
 
 
+def test_a_folder_becomes_a_filmstrip_with_what_needs_a_look_first(
+    page: Chrome, box_png: bytes, tmp_path: Path
+) -> None:
+    import cv2
+    import numpy as np
+
+    folder = tmp_path / "sheets"
+    folder.mkdir()
+    folder.joinpath("a.png").write_bytes(box_png)
+    cv2.imwrite(str(folder / "b.png"), np.full((80, 80, 3), 255, np.uint8))
+    folder.joinpath("notes.txt").write_text("no picture")
+    page.find_element(By.ID, "folder").send_keys(str(folder))
+    wait(lambda: read(page, "#strip").count(":") == 2 and "waiting" not in read(page, "#strip"))
+    assert read(page, "#strip li:first-child").startswith("b.png")
+    page.find_element(By.CSS_SELECTOR, "#strip li:last-child button").click()
+    wait(lambda: volume(page) > 0 and "a.png" in message(page))
+
+
+def test_a_page_of_a_pdf_is_chosen(page: Chrome, box_png: bytes, tmp_path: Path) -> None:
+    pytest.importorskip("pypdfium2")
+    from io import BytesIO
+
+    from PIL import Image
+
+    box = Image.open(BytesIO(box_png)).convert("RGB")
+    Image.new("RGB", box.size, "white").save(tmp_path / "two.pdf", save_all=True, append_images=[box])
+    page.find_element(By.ID, "file").send_keys(str(tmp_path / "two.pdf"))
+    wait(lambda: "No object was found" in message(page))
+    assert read(page, "#pages") == "Page 1 of 2Page 2 of 2"
+    page.execute_script("const p = document.getElementById('pages'); p.value = 1; p.dispatchEvent(new Event('change'))")
+    wait(lambda: "Found the object" in message(page) and volume(page))
+
+
+def test_what_cannot_be_read_here_is_said_before_the_upload(page: Chrome, tmp_path: Path) -> None:
+    photo = tmp_path / "photo.heic"
+    photo.write_bytes(b"no photo")
+    page.execute_script("window.timings.reads({heic: false})")
+    page.find_element(By.ID, "file").send_keys(str(photo))
+    wait(lambda: "HEIC cannot be read here" in message(page))
+
+
+def test_a_second_finger_locks_the_axis_and_two_fingers_zoom(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    box = "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y]"
+    x, y = page.execute_script(box)
+
+    def touch(kind: str, *points: tuple[float, float]) -> None:
+        told = [{"x": x + a, "y": y + b, "id": k} for k, (a, b) in enumerate(points)]
+        page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": told})
+
+    touch("touchStart", (100, 100))
+    for k in range(1, 8):
+        touch("touchMove", (100 + 20 * k, 100 + 6 * k))
+    touch("touchStart", (240, 142), (50, 200))
+    touch("touchMove", (260, 150), (50, 200))
+    touch("touchEnd")
+    (x1, y1, *_), (x2, y2, *_) = page.execute_script("return window.timings.state().strokes[0].points")
+    assert y2 == pytest.approx(y1)
+    assert x2 > x1 + 100
+
+    touch("touchStart", (200, 200))
+    touch("touchStart", (200, 200), (300, 200))
+    touch("touchMove", (180, 200), (320, 200))
+    touch("touchMove", (150, 200), (350, 200))
+    touch("touchEnd")
+    assert strokes(page) == 1
+    assert page.execute_script("return window.timings.zoom()") > 1.5
+
+
 def test_what_is_no_picture_is_said_on_the_page(page: Chrome, tmp_path: Path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("not a drawing")

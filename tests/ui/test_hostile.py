@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
+import pytest
+
 SCRIPT = Path(__file__).parents[2] / "scripts" / "hostile_requests.py"
 
 
@@ -19,8 +21,9 @@ def load() -> ModuleType:
     return module
 
 
-def test_hostile_requests_are_refused_and_leave_no_trace() -> None:
-    verdict = load().run(1000, seed=7)
+@pytest.mark.parametrize("served", ["ui", "serve"])
+def test_hostile_requests_are_refused_and_leave_no_trace(served: str) -> None:
+    verdict = load().run(1000, 7, served)
     assert verdict.wrong == []
     assert sum(verdict.counts.values()) == 1000
     before, after = verdict.memory

@@ -4,7 +4,7 @@ import { Editor } from "./editor.js";
 import { Strip } from "./folder.js";
 import { History } from "./history.js";
 import { keep, kept, packed, unpacked } from "./keep.js";
-import { faults, label, told } from "./marks.js";
+import { NONE, faults, label, told } from "./marks.js";
 import { Pad } from "./pad.js";
 import { Readings } from "./readings.js";
 import * as server from "./server.js";
@@ -28,10 +28,10 @@ const EMPTY = { sheet: "welcome", strokes: [], objects: [], loose: [], guess: ""
 const BLANK = { kind: "sketch", blob: null, name: "", width: 0, height: 0, picture: "", corners: [], page: 0, pages: 1 };
 const NO_SOLID = { solid: { vertices: [], triangles: [], edges: [] }, facts: [] };
 
-let state = EMPTY, open = BLANK, selected = 0, families = [], marks = { loose: [], missing: [] }, about = null, answer = NO_SOLID;
+let state = EMPTY, open = BLANK, selected = 0, families = [], marks = NONE, left = [], about = null, answer = NO_SOLID;
 const history = new History(EMPTY);
 /* for those who measure: ms from the end of a stroke to its solid, and what the page knows */
-const timings = window.timings = { sketch: [], busy: () => asking, state: () => state, fresh: () => startSketch() };
+const timings = window.timings = { sketch: [], busy: () => asking, state: () => state, facts: () => answer.facts, zoom: () => pad.view.s, reads: kinds => { about.reads = kinds; }, fresh: () => startSketch() };
 
 fill(document);
 const stage = new Stage({ size: (name, text) => typed(name, text, true) });
@@ -39,11 +39,11 @@ const readings = new Readings($("readings"), number => set(o => { o.reading = nu
 const pad = new Pad($("pad"), {
   change: strokes => { step({ ...state, strokes, guess: "" }); live(performance.now()); },
   say: words => { $("hint").textContent = words; },
-  paint: () => label($("marks"), drawing() ? marks : { loose: [], missing: [] }, p => pad.onScreen(p), () => pad.join()),
+  paint: () => label($("marks"), drawing() ? marks : NONE, p => pad.onScreen(p), () => pad.join()),
 });
 const editor = new Editor($("editor"), {
   hint: words => { if (state.sheet === "editor") $("hint").textContent = words; },
-  change: (next, done) => { moving = !done; state = { ...next, sure: null, guess: "" }; if (done) step(state); lifted(); },
+  change: (next, done) => { moving = !done; editor.left = []; state = { ...next, sure: null, guess: "" }; if (done) step(state); lifted(); },
   choose: name => { if (name.object !== undefined && name.object !== selected) { selected = name.object; settings(); } },
 });
 const take = new Take({
@@ -95,7 +95,7 @@ function view() {
 }
 
 function sheetOf() {
-  return open.kind === "sketch" ? { ...pad.frame(), strokes: state.strokes } : { picture: open.picture, width: open.width, height: open.height };
+  return open.kind === "sketch" ? { ...pad.frame(), strokes: state.strokes } : { picture: open.picture, width: open.width, height: open.height, left: state.guess ? left : [] };
 }
 
 function goTo(sheet) {
@@ -182,23 +182,22 @@ async function showLive(found) {
   const objects = shape.withWishes(found.objects, state.objects.length ? state.objects : wished);
   const some = objects.length > 0;
   amend({ ...state, objects, guess: found.problem && some ? found.problem.error : "", sure: some ? Math.min(...found.objects.map(o => o.confidence)) : null });
+  left = found.problem?.left || [];
   const first = answer === NO_SOLID || !answer.facts.length;
   const wishes = objects.some(o => o.projection !== "auto" || NAMES.some(n => o.sizes[n]));
   families = found.facts.map(f => f.projection);
   showAnswer(wishes && some ? await server.lift(correctionsNow()) : found, first);
   review(found.objects[0]);
   if (state.guess) tell(say("guessedLive"));
-  else if (some) tell(say("foundLive", { what: corners(objects) }));
+  else if (some) tell(say("foundLive", { what: found.facts.map(f => f.shape).join(", ") }));
   else tell(say("needMore"));
   chooseSoon();
 }
 
-const corners = objects => `${objects.reduce((s, o) => s + shape.rings(o).reduce((n, r) => n + r.f1.length + r.f2.length, 0), 0)} corners`;
-
 /* what is wrong with the drawing, marked on it */
 function review(found) {
   const sure = state.sure !== null && state.sure >= SURE && !state.guess;
-  marks = faults(state.strokes, sure ? null : found, pad.unit);
+  marks = faults(state.strokes, sure ? null : found, pad.unit, found && state.guess ? left : []);
   pad.mark(marks);
   pad.over(found ? { sure, front: state.objects.flatMap(o => shape.rings(o).map((_, r) => shape.outline(o, r, 1))) } : null);
   if (drawing()) $("hint").textContent = told(marks) || say("hintPad");
@@ -226,6 +225,7 @@ async function load(blob, name, page = 0) {
 }
 
 function showPicture(found, blob, name, page = 0) {
+  left = found.problem?.left || [];
   const { width, height, picture, corners, pages } = found, some = found.objects.length > 0;
   open = { kind: "picture", blob, name, width, height, picture, corners, page, pages };
   $("pages").replaceChildren(...Array.from({ length: pages }, (_, k) => new Option(say("pages", { n: k + 1, of: pages }), k, false, k === page)));
@@ -233,7 +233,7 @@ function showPicture(found, blob, name, page = 0) {
   history.reset(state);
   selected = 0;
   pad.show([]);
-  editor.open(open, state, corners);
+  editor.open(sheetOf(), state, corners);
   view();
   editor.fit();
   families = found.facts.map(f => f.projection);
@@ -241,7 +241,7 @@ function showPicture(found, blob, name, page = 0) {
   showStages(found.stages);
   saveSoon();
   pick(some ? "move" : "trace");
-  if (state.guess) tell(say("guessed", { why: state.guess }));
+  if (state.guess) tell(say("guessed", { why: left.length ? say("leftOver") : state.guess }));
   else if (found.problem) tell(say("foundNot", { why: found.problem.error }), true);
   else tell(state.objects.length > 1 ? say("foundMany", { n: state.objects.length, name }) : say("found", { name }));
   chooseSoon();
@@ -459,7 +459,7 @@ for (const [id, does] of Object.entries({
   download: () => take.open(), numbers: () => $("numbers-box").showModal(),
   "zoom-in": () => drawing() ? pad.zoom(1.4) : editor.zoom(1 / 1.4), "zoom-out": () => drawing() ? pad.zoom(1 / 1.4) : editor.zoom(1.4), "zoom-fit": () => drawing() ? pad.fit() : editor.fit(),
   swap: () => { if (state.objects.length) change(shape.swapped(state, selected)); },
-  anyway: () => { step({ ...state, guess: "", sure: null }); showAnswer(answer); tell(say("follows")); },
+  anyway: () => { editor.left = []; editor.paint(); step({ ...state, guess: "", sure: null }); showAnswer(answer); tell(say("follows")); },
   share: async () => {
     const text = await packed(state);
     if (!text) { tell(say("linkLong"), true); return; }

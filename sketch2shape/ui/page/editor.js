@@ -35,9 +35,10 @@ export class Editor {
     new ResizeObserver(() => this.paint()).observe(svg);
   }
 
-  /* sheet: {picture: address, strokes, x, y, width, height}: what lies under the vertices, and where */
+  /* sheet: {picture: address, strokes, x, y, width, height}: what lies under the vertices, and where; left: lines that fit
+     nothing, to be marked */
   open(sheet, state, corners) {
-    Object.assign(this, { picture: "", strokes: [], x: 0, y: 0, ...sheet, state, corners, chosen: null, trace: null, drag: null });
+    Object.assign(this, { picture: "", strokes: [], left: [], x: 0, y: 0, ...sheet, state, corners, chosen: null, trace: null, drag: null });
     this.fit();
   }
 
@@ -86,6 +87,7 @@ export class Editor {
     if (this.picture) element("image", { href: this.picture, x: this.x - 0.5, y: this.y - 0.5, width: this.width, height: this.height, preserveAspectRatio: "none" }, page);
     for (const stroke of this.strokes) element("polyline", { points: stroke.points.map(p => `${p[0]},${p[1]}`).join(" "), class: "stroke" }, page);
     for (const object of this.state.objects) this.paintObject(object, page);
+    for (const [[x1, y1], [x2, y2]] of this.left) element("line", { x1, y1, x2, y2, class: "left" }, page);
     if (["trace", "face", "add"].includes(this.tool)) {
       for (const [x, y] of this.corners) element("circle", { cx: x, cy: y, r: 2.5 * this.unit, class: "corner-dot" }, page);
     }

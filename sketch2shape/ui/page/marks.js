@@ -8,12 +8,15 @@ const NEAR = 45, ALONG = 14;
 /* labels shown at once: more would hide the drawing */
 const MOST_LABELS = 3;
 
-/* what is wrong: {loose: [{point, other}], missing: [[a, b]]}. Ends are told once there is enough to belong together; edges
+export const NONE = { loose: [], missing: [], left: [] };
+
+/* what is wrong: {loose: [{point, other}], missing: [[a, b]], left: [[a, b]]}; `left` are lines that the guess has no place for.
+   Ends are told once there is enough to belong together; edges
    once something was found that has them and that is not a drawing without hidden lines */
-export function faults(strokes, found, unit) {
+export function faults(strokes, found, unit, left = []) {
   const loose = strokes.length > 2 ? looseEnds(strokes, NEAR * unit) : [];
   const edges = found && found.lines !== "removed" ? edgesOf(found) : [];
-  return { loose, missing: undrawn(edges, strokes, ALONG * unit) };
+  return { loose, missing: undrawn(edges, strokes, ALONG * unit), left };
 }
 
 /* the straight edges; a drawing has none where a line and an arc join smoothly, so of objects with arcs those between the
@@ -30,9 +33,9 @@ function edgesOf({ f1, f2, holes, arcs = [] }) {
 }
 
 /* the faults counted, in one sentence; "" if there are none */
-export function told({ loose, missing }) {
+export function told({ loose, missing, left }) {
   const apart = loose.filter(l => l.other).length, pairs = Math.ceil(apart / 2), ends = loose.length - apart;
-  return [pairs && count("dontMeet", pairs), ends && count("loose", ends), missing.length && count("missing", missing.length)].filter(Boolean).join(", ");
+  return [pairs && count("dontMeet", pairs), ends && count("loose", ends), missing.length && count("missing", missing.length), left.length && count("left", left.length)].filter(Boolean).join(", ");
 }
 
 /* labels beside the faults: `place` takes the sheet to the screen, `join` brings ends together */

@@ -16,7 +16,7 @@ const DASH = [9, 7];
 export class Pad {
   /* on: {change(strokes): a step was made, say(words), paint(): the view has changed} */
   constructor(canvas, on) {
-    Object.assign(this, { canvas, on, tool: "pen", gridKind: "", strokes: [], shown: null, marks: { loose: [], missing: [] } });
+    Object.assign(this, { canvas, on, tool: "pen", gridKind: "", strokes: [], shown: null, marks: { loose: [], missing: [], left: [] } });
     Object.assign(this, { view: { x: 0, y: 0, s: 1 }, current: null, grip: null, selected: new Set(), cursor: null, penTime: -AFTER_PEN, space: false });
     this.fingers = new Map();
     this.context = canvas.getContext("2d");
@@ -412,6 +412,10 @@ export class Pad {
   paintMarks(pen, colour) {
     Object.assign(pen, { strokeStyle: colour("bad"), lineWidth: 2 });
     for (const { point } of this.marks.loose) { pen.beginPath(); pen.arc(...this.onScreen(point), 9, 0, 7); pen.stroke(); }
+    Object.assign(pen, { lineWidth: 4 });
+    pen.setLineDash([9, 6]);
+    for (const points of this.marks.left) { pen.beginPath(); pen.moveTo(...this.onScreen(points[0])); pen.lineTo(...this.onScreen(points[1])); pen.stroke(); }
+    Object.assign(pen, { lineWidth: 2 });
     pen.setLineDash([3, 6]);
     for (const points of this.marks.missing) { pen.beginPath(); pen.moveTo(...this.onScreen(points[0])); pen.lineTo(...this.onScreen(points[1])); pen.stroke(); }
     pen.setLineDash([]);

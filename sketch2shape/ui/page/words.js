@@ -24,7 +24,7 @@ const ENGLISH = {
   hintErase: "Drag over lines to rub them out.", hintSelect: "Tap a line to select it, drag a corner to move it; Delete removes what is selected.",
   hintHand: "Drag the sheet; two fingers zoom, so does Ctrl with the wheel.",
   dontMeet: "These two lines do not meet", missingEdge: "An edge is missing here", unsure: "This is only a guess",
-  dontMeetCount: "{n} places where two lines do not meet", looseCount: "{n} loose ends", missingCount: "{n} edges are missing",
+  dontMeetCount: "{n} places where two lines do not meet", looseCount: "{n} loose ends", missingCount: "{n} edges are missing", leftCount: "{n} red lines fit no solid", leftOne: "the red line fits no solid",
   dontMeetOne: "1 place where two lines do not meet", looseOne: "1 loose end", missingOne: "1 edge is missing", joinThem: "Join them",
   /* numbers dialogue */
   numbersTitle: "A line by numbers", numbersHelp: "Places on the sheet, from its top left corner, to the right and down.", fromX: "From x", fromY: "From y", toX: "To x", toY: "To y", addLine: "Add the line",
@@ -56,7 +56,7 @@ const ENGLISH = {
   /* messages */
   welcome: "Draw a solid, open a picture of one, or pick an example.", looking: "Looking at {name}…", queue: "{n} before you in the queue…",
   found: "Found the object in {name}. If a corner is wrong, drag it to its place.", foundMany: "Found {n} objects in {name}.", foundLive: "That is a solid: {what}.",
-  foundNot: "No object was found: {why}. Trace it by hand: click around its front face.", guessedLive: "Only a guess yet: some lines fit no solid.", guessed: "Only a guess, shown pale: {why}.", follows: "The solid follows your changes.",
+  foundNot: "No object was found: {why}. Trace it by hand: click around its front face.", guessedLive: "Only a guess yet: some lines fit no solid.", guessed: "Only a guess, shown pale: {why}. Put it right, or take it anyway.", leftOver: "the lines marked red fit no solid", follows: "The solid follows your changes.",
   kept: "Your work is kept in this browser.", lost: "This would drop your drawing.", sheetEmpty: "Nothing is drawn yet.", needMore: "Go on drawing: no solid can be seen yet.",
   downloaded: "{name} is in your downloads.", copied: "The link is in the clipboard.", linkLong: "The drawing is too large for a link: send the file of Save corrections.", linkPicture: "A link can hold what you drew here, not a picture you opened.",
   linkBad: "The link does not hold a whole drawing.", pictureFirst: "Open the picture first, then its corrections.", notCorrections: "{name} is not a corrections file: {why}",
