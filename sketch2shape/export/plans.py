@@ -29,6 +29,10 @@ def _document(solids: Sequence[Solid], format: str, options: PlanOptions) -> tup
         from sketch2shape.export.net import net_document
 
         return net_document(solids, options.paper)
+    if format.startswith("worksheet."):
+        from sketch2shape.export.worksheet import worksheet_document
+
+        return worksheet_document(solids, options.paper)
     from sketch2shape.export.views import views_document
 
     return views_document(solids, options.paper, options.angle)

@@ -60,12 +60,13 @@ def drawn_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
 
 
 def lines_seen(solid: Solid, camera: Floats) -> list[DrawnLine]:
-    """The lines of a solid as a parallel camera (3, 4) sees it, as `drawn_lines` gives those of its drawing."""
-    parallel = replace(solid, projection=Projection("axonometric"))
+    """The lines of a solid as a camera (3, 4) sees it, as `drawn_lines` gives those of its drawing."""
+    converges = bool(np.abs(camera[2, :3]).max() > 0)
+    seen = replace(solid, projection=Projection("perspective" if converges else "axonometric"))
     points = _seen(camera, solid.vertices)
     if solid.boundary.is_round:
-        return _round_lines(parallel, camera, points, {})
-    return _straight_lines(parallel, points)
+        return _round_lines(seen, camera, points, {})
+    return _straight_lines(seen, points)
 
 
 def _straight_lines(solid: Solid, points: Floats) -> list[DrawnLine]:

@@ -49,6 +49,7 @@ FORMATS: dict[str, Format] = {
     "views.svg": Format("front, top and side view with dimensions", "plan", _SVG, ("views.svg",)),
     "views.pdf": Format("front, top and side view with dimensions, to print", "plan", _PDF, ("views.pdf",)),
     "views.dxf": Format("front, top and side view with dimensions, at full size", "plan", _DXF, ("views.dxf",)),
+    "worksheet.pdf": Format("drawing, dimensions and questions, then the answers", "plan", _PDF, ("worksheet.pdf",)),
     "svg": Format("the cleaned drawing, visible and hidden lines in groups", "drawing", _SVG, ("svg",)),
     "dxf": Format("the cleaned drawing, visible and hidden lines on layers", "drawing", _DXF, ("dxf",)),
     "face.svg": Format("the true front face laid flat", "drawing", _SVG, ("face.svg",)),
