@@ -21,6 +21,7 @@ from typing import IO, Any
 from sketch2shape import __version__
 from sketch2shape.batch.plan import Plan, Planned
 from sketch2shape.conversion.convert import Outcome, Output, Settings
+from sketch2shape.conversion.summary import Measures
 from sketch2shape.errors import NoObjectError, UnreadableError, UsageError, WriteError
 from sketch2shape.writing import write_file
 
@@ -176,6 +177,7 @@ def _outcome_to(root: str, outcome: Outcome, outputs: Iterable[Output]) -> dict[
         "objects": outcome.objects,
         "confidence": outcome.confidence,
         "found": outcome.found,
+        "measures": [list(measures) for measures in outcome.measures],
         "sha256": outcome.digest,
         "written": {_inside(root, path): digest for path, digest in sorted(outcome.written.items())},
     }
@@ -192,4 +194,5 @@ def _outcome_from(root: str, record: Mapping[str, Any]) -> Outcome:
         record["sha256"],
         {os.path.join(root, path): digest for path, digest in record["written"].items()},
         found=str(record.get("found", "")),
+        measures=tuple(Measures(*values) for values in record.get("measures", [])),
     )

@@ -11,9 +11,13 @@ from typing import Any, TextIO
 
 from sketch2shape.batch.plan import Planned
 from sketch2shape.conversion.convert import Outcome
+from sketch2shape.conversion.summary import Measures
 from sketch2shape.errors import UsageError
 
-_COLUMNS = ("name", "status", "exit_code", "message", "remedy", "objects", "confidence", "found", "seconds", "outputs")
+_COLUMNS = (
+    "name", "status", "exit_code", "message", "remedy", "objects", "confidence", "found", *Measures._fields, "seconds",
+    "outputs",
+)  # fmt: skip
 
 _MEANING = {
     0: "done",
@@ -43,7 +47,9 @@ def encode_table(path: str, rows: Iterable[tuple[Planned, Outcome]]) -> bytes:
     writer = csv.DictWriter(out, _COLUMNS, lineterminator="\n")
     writer.writeheader()
     for record in records:
-        cells = {**record, "outputs": "|".join(record["outputs"])}
+        solids = record.pop("solids")
+        sizes = {name: "|".join(str(solid[name]) for solid in solids) for name in Measures._fields}
+        cells = {**record, **sizes, "outputs": "|".join(record["outputs"])}
         writer.writerow({column: _cell(value) for column, value in cells.items()})
     return out.getvalue().encode("utf-8", "backslashreplace")
 
@@ -66,6 +72,7 @@ def _record(item: Planned, outcome: Outcome) -> dict[str, Any]:
         "objects": outcome.objects,
         "confidence": None if outcome.confidence is None else round(outcome.confidence, 4),
         "found": outcome.found,
+        "solids": [measures._asdict() for measures in outcome.measures],
         "seconds": round(outcome.seconds, 3),
         "outputs": sorted(outcome.written),
     }

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from sketch2shape.conversion.summary import describe, least_confidence
+from sketch2shape.conversion.summary import Measures, describe, least_confidence, measures_of
 from sketch2shape.corrections import parse_corrections
 from sketch2shape.errors import CrashError, LimitError, NoObjectError, Sketch2ShapeError, WriteError
 from sketch2shape.model import Answer, Picture
@@ -73,6 +73,7 @@ class Outcome:
     message    : what went wrong, and `remedy` what to try
     objects    : how many objects were found; `confidence` is the least of theirs
     found      : what they are, how large, and what was assumed, in a line of words
+    measures   : sizes, surface and volume of each
     digest     : sha256 of the input's bytes, "" if it could not be read
     written    : path -> sha256 of the bytes written there
     seconds    : time taken
@@ -88,6 +89,7 @@ class Outcome:
     written: Mapping[str, str] = field(default_factory=dict)
     seconds: float = 0.0
     found: str = ""
+    measures: tuple[Measures, ...] = ()
 
     @property
     def status(self) -> Literal["ok", "failed"]:
@@ -140,7 +142,14 @@ def _convert_pages(task: Task, data: bytes, written: dict[str, str]) -> Outcome:
         return outcomes[0]
     confidence = min(o.confidence for o in good if o.confidence is not None)
     found = "; ".join(f"page {p + 1}: {o.found}" for p, o in enumerate(outcomes) if o.exit_code == 0)
-    return replace(good[0], name=task.name, objects=sum(o.objects for o in good), confidence=confidence, found=found)
+    return replace(
+        good[0],
+        name=task.name,
+        objects=sum(o.objects for o in good),
+        confidence=confidence,
+        found=found,
+        measures=tuple(measures for o in good for measures in o.measures),
+    )
 
 
 def _for_page(task: Task, page: int) -> Task:
@@ -164,7 +173,13 @@ def _convert_page(task: Task, data: bytes, page: int, written: dict[str, str]) -
         found = "; ".join([describe(result), *_notes(task, result)])
     except Exception as error:
         return report_failure(task, error, size=size, written=written)
-    return Outcome(task.name, objects=len(result.objects), confidence=least_confidence(result), found=found)
+    return Outcome(
+        task.name,
+        objects=len(result.objects),
+        confidence=least_confidence(result),
+        found=found,
+        measures=measures_of(result),
+    )
 
 
 def _notes(task: Task, result: Answer) -> list[str]:

@@ -2,11 +2,34 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sketch2shape.model import Answer, Solid
 from sketch2shape.solids import shape_name
 
 #: objects of a sheet that are described one by one
 _MOST = 4
+
+
+class Measures(NamedTuple):
+    """How large a solid is: lengths in `unit`, the surface in its square, the volume in its cube."""
+
+    width: float
+    height: float
+    depth: float
+    surface: float
+    volume: float
+    unit: str
+
+
+def measures_of(answer: Answer) -> tuple[Measures, ...]:
+    """The measures of each solid, to six digits."""
+    found = []
+    for solid in answer.solids:
+        width, height, depth = (float(f"{size:.6g}") for size in solid.dimensions)
+        surface, volume = float(f"{solid.area:.6g}"), float(f"{solid.volume:.6g}")
+        found.append(Measures(width, height, depth, surface, volume, solid.unit))
+    return tuple(found)
 
 
 def least_confidence(answer: Answer) -> float:

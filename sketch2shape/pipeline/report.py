@@ -73,6 +73,8 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
             **({"arcs": _solid_arcs(solid)} if solid.boundary.is_round else {}),
             "unit": solid.unit,
             "dimensions": [round(d, _LENGTH_DECIMALS) for d in solid.dimensions],
+            "surface": round(solid.area, _LENGTH_DECIMALS),
+            "volume": round(solid.volume, _LENGTH_DECIMALS),
             "confidence": round(float(solid.confidence), 4),
             "camera": None if solid.camera is None else plain(solid.camera),
             "warnings": list(solid.warnings),

@@ -9,6 +9,7 @@ import pytest
 from sketch2shape.batch.manifest import NAME, Manifest, Past, digest_file, load_past, options_hash
 from sketch2shape.batch.plan import Plan, Planned
 from sketch2shape.conversion.convert import Outcome, Output, Settings
+from sketch2shape.conversion.summary import Measures
 from sketch2shape.errors import UsageError
 from sketch2shape.reading.limits import Limits
 
@@ -27,7 +28,14 @@ def plan(tmp_path):
 
 def outcome(item, code=0):
     path = item.outputs[0].path
-    return Outcome(item.name, code, digest=digest_file(item.path), written={path: digest_file(path)}, seconds=1.5)
+    return Outcome(
+        item.name,
+        code,
+        digest=digest_file(item.path),
+        written={path: digest_file(path)},
+        seconds=1.5,
+        measures=(Measures(4.0, 3.0, 2.0, 52.0, 24.0, "mm"),),
+    )
 
 
 def test_a_stopped_run_is_read_back(plan, tmp_path):
@@ -41,6 +49,7 @@ def test_a_stopped_run_is_read_back(plan, tmp_path):
     assert past.options == "x"
     assert sorted(past.files) == [item.outputs[0].path for item in plan.items]
     assert past.still_done(plan.items[0]).exit_code == 0
+    assert past.still_done(plan.items[0]).measures == outcome(plan.items[0]).measures
     assert past.still_done(plan.items[1]) is None
 
 

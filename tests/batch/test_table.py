@@ -11,12 +11,14 @@ import pytest
 from sketch2shape.batch.plan import Planned
 from sketch2shape.batch.table import check_table, encode_table, show_summary, summary
 from sketch2shape.conversion.convert import Outcome
+from sketch2shape.conversion.summary import Measures
 from sketch2shape.errors import UsageError
 
+MEASURES = (Measures(4.0, 3.0, 2.0, 52.0, 24.0, "mm"), Measures(1.0, 1.0, 1.0, 6.0, 1.0, "mm"))
 ROWS = [
     (
         Planned("in/a,b.png", "a,b.png", ()),
-        Outcome("a,b.png", 0, None, None, 2, 0.987654, "", {"o.obj": "1", "o.json": "2"}, 0.5),
+        Outcome("a,b.png", 0, None, None, 2, 0.987654, "", {"o.obj": "1", "o.json": "2"}, 0.5, "two boxes", MEASURES),
     ),
     (Planned("in/ü\udcff\n.png", "ü\udcff\n.png", ()), Outcome("ü", 5, "nothing, really", "draw")),
 ]
@@ -27,6 +29,8 @@ def test_json_lines():
     assert first["name"] == "a,b.png"
     assert (first["status"], first["objects"], first["confidence"]) == ("ok", 2, 0.9877)
     assert first["outputs"] == ["o.json", "o.obj"]
+    assert [solid["volume"] for solid in first["solids"]] == [24.0, 1.0]
+    assert second["solids"] == []
     assert (second["name"], second["status"], second["exit_code"]) == ("ü\udcff\n.png", "failed", 5)
 
 
@@ -34,6 +38,8 @@ def test_csv():
     rows = list(csv.DictReader(io.StringIO(encode_table("r.CSV", ROWS).decode())))
     assert rows[0]["name"] == "a,b.png"
     assert rows[0]["outputs"] == "o.json|o.obj"
+    assert (rows[0]["width"], rows[0]["surface"], rows[0]["unit"]) == ("4.0|1.0", "52.0|6.0", "mm|mm")
+    assert rows[1]["volume"] == ""
     assert rows[1]["message"] == "nothing, really"
 
 

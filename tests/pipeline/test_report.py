@@ -53,6 +53,8 @@ def test_keys_of_the_contract(answer):
     assert obj["confidence"] == 0.95
     assert obj["connectors"] == {"f1": "split-walk", "f2": "ink"}
     assert obj["solid"]["unit"] == "mm"
+    assert obj["solid"]["volume"] == pytest.approx(answer.solids[0].volume)
+    assert obj["solid"]["surface"] == pytest.approx(answer.solids[0].area)
     assert obj["solid"]["confidence"] == 1.0
     assert obj["solid"]["camera"] is None
     assert obj["alternatives"] == []
