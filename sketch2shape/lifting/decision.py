@@ -349,8 +349,12 @@ def _named(name: str, faces: _Faces) -> str:
 def _of_perspective(drawing: Drawing, order: Ints | None, parallel: float) -> Iterator[Reading]:
     """The prism that cameras see, if the faces may converge at all; parallel: log odds of their being alike."""
     relation = drawing.relation
-    rss = relation.centre_rms**2 * max(len(relation.first) - 2, 0)
-    if _PERSPECTIVE + float(converging_odds(rss, relation, drawing.noise)) + _HOPED < parallel:
+
+    def hopeless(rss: float) -> bool:
+        return _PERSPECTIVE + float(converging_odds(rss, relation, drawing.noise)) + _HOPED < parallel
+
+    # most drawings need not be asked how well their lines meet
+    if hopeless(0.0) or hopeless(relation.centre_rms**2 * max(len(relation.first) - 2, 0)):
         return
     seen = seen_by_cameras(drawing)
     if seen.relations is None or not np.isfinite(seen.odds.max()):

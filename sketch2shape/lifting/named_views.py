@@ -28,6 +28,9 @@ _TRIAD = 0.95
 #: how likely no edge runs along one of the two axes
 _ONE_AXIS = 0.005
 
+#: a chance less than this is none
+_NEVER = 1e-9
+
 #: slants of a face across an axis: all alike in an isometric view; in the dimetric one, across its half axis or another
 ISOMETRIC = math.acos(1.0 / math.sqrt(3.0))
 _HALF, _FULL = math.asin(math.sqrt(2.0) / 3.0), math.asin(math.sqrt(8.0) / 3.0)
@@ -107,12 +110,12 @@ def triad_odds(toward: float, wobble: float, angle: Floats, spread: Floats) -> f
     As in `view_odds`.
     """
     width = math.hypot(wobble, _SLOPPY)
-    chances = [
-        math.exp(-0.5 * (off_axis(view, toward) / width) ** 2) * float(_near(view, angle, spread)[0].max(axis=1).prod())
-        for view in VIEWS
-        if view.name == "isometric"
-    ]
-    return math.log(1.0 - _TRIAD * max(chances))
+    most = 0.0
+    for view in VIEWS:
+        chance = math.exp(-0.5 * (off_axis(view, toward) / width) ** 2) if view.name == "isometric" else 0.0
+        if chance > _NEVER:
+            most = max(most, chance * float(_near(view, angle, spread)[0].max(axis=1).prod()))
+    return math.log(1.0 - _TRIAD * most)
 
 
 def _near(view: NamedView, angle: Floats, spread: Floats) -> tuple[Floats, Floats]:

@@ -76,24 +76,27 @@ def _allowed(readings: list[Reading], options: LiftOptions) -> list[Reading]:
 
 def _tidied(ways: list[Option], drawing: Drawing, options: LiftOptions) -> list[Shape]:
     """The shapes made regular, with what is to be said about them."""
-    faces: dict[tuple[int, float], Shape] = {}
+    done: dict[tuple[int, float], Shape] = {}
     shapes: list[Shape] = []
     for way in ways:
         shape = _described(way, drawing, options)
         if shape.bent is not None:
             shape = exact_arcs(shape, regular=options.beautify)
-        elif shape.free_axis != 2:
-            pass  # it is made with right angles
-        elif options.beautify and shape.family == "oblique":
-            # readings that differ in depth alone share their face
-            key = id(way.shape.flat), shape.taper
-            fine = faces.setdefault(key, faces[key] if key in faces else beautified(shape))
-            shape = replace(shape, flat=fine.flat, evidence={**fine.evidence, **shape.evidence})
-        elif options.beautify:
-            shape = beautified(shape)
+        elif options.beautify and shape.free_axis == 2:  # another one is made with right angles
+            shape = _regular(shape, way, done)
         mirrored = (way.mirrored != options.necker) != _from_behind(drawing, shape)
         shapes.append(_mirrored(shape) if mirrored else shape)
     return shapes
+
+
+def _regular(shape: Shape, way: Option, done: dict[tuple[int, float], Shape]) -> Shape:
+    """The shape made regular; oblique readings that differ in depth alone share their face, mirrored ones all."""
+    oblique = shape.family == "oblique"
+    key = id(way.shape.flat if oblique else way.shape), shape.taper
+    if key not in done:
+        done[key] = beautified(shape)
+    fine = done[key]
+    return replace(shape, flat=fine.flat, evidence={**fine.evidence, **shape.evidence}) if oblique else fine
 
 
 def _from_behind(drawing: Drawing, shape: Shape) -> bool:
@@ -182,14 +185,15 @@ def _solid(sized: _Sized, drawing: Drawing, options: LiftOptions, picture_size: 
     turn = frame(looks, options.up)
     place = np.eye(4)
     place[:3, :3] = turn @ (looks.T * sized.factors) @ looks
-    boundary = shape.placed_boundary(sized.vertices @ place[:3, :3].T, place[:3, :3])
+    moved, origin = sized.vertices @ place[:3, :3].T, np.zeros(3)
     if options.up != "camera":
-        reach = boundary.extremes(np.eye(3))
+        straight = shape.bent is None and not shape.pointed
+        reach = moved if straight else shape.placed_boundary(moved, place[:3, :3]).extremes(np.eye(3))
         origin = 0.5 * (reach.min(axis=0) + reach.max(axis=0))
         height = 2 if options.up == "z" else 1
         origin[height] = reach[:, height].min()
         place[:3, 3] = -origin
-        boundary = shape.placed_boundary(boundary.vertices - origin, place[:3, :3], -origin)
+    boundary = shape.placed_boundary(moved - origin, place[:3, :3], -origin)
     camera = drawing.to_picture @ shape.camera @ np.linalg.inv(place)
     return Solid(
         boundary,

@@ -184,10 +184,18 @@ class Boundary(Brief):
 
     def area_vector(self, face: Face) -> Floats:
         """(3,) the normal of a face, added up over it; as long as its area if it is flat."""
-        rings = [ring for ring in self.rings(face) if ring]
-        total: Floats = _area_vectors(self.vertices, rings).sum(axis=0)
-        for arc, forward in self.arcs(face):
-            total = total + (arc.segment if forward else -arc.segment)
+        return np.asarray(self.area_vectors([face])[0])
+
+    def area_vectors(self, faces: Sequence[Face]) -> Floats:
+        """(number of faces, 3) `area_vector` of each."""
+        rings = [[ring for ring in self.rings(face) if ring] for face in faces]
+        total = np.zeros((len(faces), 3))
+        of_face = [k for k, own in enumerate(rings) for _ in own]
+        np.add.at(total, of_face, _area_vectors(self.vertices, [ring for own in rings for ring in own]))
+        if self.is_round:
+            for k, face in enumerate(faces):
+                for arc, forward in self.arcs(face):
+                    total[k] += arc.segment if forward else -arc.segment
         return total
 
     def extremes(self, directions: Floats) -> Floats:

@@ -28,6 +28,10 @@ from sketch2shape.model.drawing import Side, ring_edges
 _ALIKE = 1e-9
 
 
+#: a plane that is not known yet
+_NOWHERE = Plane(np.zeros(3), np.zeros(3))
+
+
 class ArcPlace(NamedTuple):
     """Which edge of a two-face object is curved.
 
@@ -120,21 +124,21 @@ class _Builder:
     def boundary(self) -> Boundary:
         """The whole of it."""
         whole = Boundary(self.vertices, tuple(self.edges), ())
-        outward: list[bool] = []
         through = self._through()
-        for number, ring in enumerate(self.rings):
-            face = Face(Plane(np.zeros(3), np.zeros(3)), (_forward(ring.front),))
-            outward.append((float(whole.area_vector(face) @ through) < 0) != bool(number))
+        along = whole.area_vectors([_flat((_forward(ring.front),)) for ring in self.rings]) @ through
+        outward = [bool((way < 0) != bool(number)) for number, way in enumerate(along.tolist())]
         front = tuple(_walk(r.front, ahead) for r, ahead in zip(self.rings, outward, strict=True))
         back = () if self.pointed else tuple(_walk(r.back, not a) for r, a in zip(self.rings, outward, strict=True))
-        flat = [self._flat(whole, loops) for loops in (front, back) if loops]
-        normal = flat[0].surface.normal if isinstance(flat[0].surface, Plane) else np.zeros(3)
-        sides = [
-            self._side(whole, ring, step, normal)
-            for ring, loop in zip(self.rings, front, strict=True)
-            for step in (*loop[-1:], *loop[:-1])
+        ends = [loops for loops in (front, back) if loops]
+        steps = [
+            (ring, step) for ring, loop in zip(self.rings, front, strict=True) for step in (*loop[-1:], *loop[:-1])
         ]
-        return Boundary(self.vertices, whole.edges, (*flat, *sides))
+        sides = [self._side_loops(ring, step.edge - ring.front.start, step.forward) for ring, step in steps]
+        planes = self._planes(whole, [*ends, *sides])
+        normal = planes[0].normal
+        bent = [self._surface(ring, step, normal) for ring, step in steps]
+        surfaces = [*planes[: len(ends)], *(own or plane for own, plane in zip(bent, planes[len(ends) :], strict=True))]
+        return Boundary(self.vertices, whole.edges, tuple(map(Face, surfaces, [*ends, *sides])))
 
     def _through(self) -> Floats:
         """(3,) from the front to the back."""
@@ -145,26 +149,29 @@ class _Builder:
         )
         return np.asarray(np.mean(back, axis=0) - np.mean(front, axis=0))
 
-    def _flat(self, whole: Boundary, loops: tuple[Loop, ...]) -> Face:
-        """A flat face around these loops."""
-        outer = Face(Plane(np.zeros(3), np.zeros(3)), loops[:1])
-        area = whole.area_vector(outer)
-        size = float(np.linalg.norm(area))
-        number, ahead = loops[0][0]
-        edge = self.edges[number]
-        first = edge.start if ahead else edge.end
-        origin = self.vertices[first] if first is not None else _center(edge.curve)
-        return Face(Plane(origin, area / (size if size > 0 else 1.0)), loops)
+    def _planes(self, whole: Boundary, faces: list[tuple[Loop, ...]]) -> list[Plane]:
+        """The planes of faces with these loops, if they are flat."""
+        areas = whole.area_vectors([_flat(loops[:1]) for loops in faces])
+        sizes = np.linalg.norm(areas, axis=1)
+        normals = areas / np.where(sizes > 0, sizes, 1.0)[:, None]
+        planes = []
+        for loops, normal in zip(faces, normals, strict=True):
+            number, ahead = loops[0][0]
+            edge = self.edges[number]
+            first = edge.start if ahead else edge.end
+            planes.append(Plane(self.vertices[first] if first is not None else _center(edge.curve), normal))
+        return planes
 
-    def _side(self, whole: Boundary, ring: _Ring, step: DirectedEdge, normal: Floats) -> Face:
-        """The side at an edge of the front face, walked as there; normal: out of the front face."""
-        place = step.edge - ring.front.start
-        loops = self._side_loops(ring, place, step.forward)
+    def _surface(self, ring: _Ring, step: DirectedEdge, normal: Floats) -> Surface | None:
+        """What the side at an edge of the front face, walked as there, lies on; None for its plane.
+
+        normal : out of the front face
+        """
         curve = self.edges[step.edge].curve
         if isinstance(curve, Line):
-            return self._flat(whole, loops)
+            return None
         convex = (float(curve.normal @ normal) > 0) == step.forward
-        return Face(self._bent(curve, ring, place, convex), loops)
+        return self._bent(curve, ring, step.edge - ring.front.start, convex)
 
     def _bent(self, circle: Circle, ring: _Ring, place: int, convex: bool) -> Surface:
         """The cylinder or cone at a curved edge."""
@@ -183,6 +190,11 @@ class _Builder:
         after = (place + 1) % len(ring.front)
         a, b = (place, after) if ahead else (after, place)
         return ((DirectedEdge(ring.joins[a], True), *far, DirectedEdge(ring.joins[b], False), front),)
+
+
+def _flat(loops: tuple[Loop, ...]) -> Face:
+    """A face of which only the loops count."""
+    return Face(_NOWHERE, loops)
 
 
 def _forward(edges: range) -> Loop:
