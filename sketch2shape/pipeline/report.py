@@ -10,7 +10,7 @@ import numpy as np
 
 from sketch2shape import __version__
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.model import Answer, Arc, Solid, TwoFaceObject
+from sketch2shape.model import Answer, Arc, Picture, Solid, TwoFaceObject
 from sketch2shape.solids import is_pointed, shape_name
 
 SCHEMA = "sketch2shape/1"
@@ -45,12 +45,21 @@ def report(
         "source": source or "",
         "width": size[0] if size else None,
         "height": size[1] if size else None,
+        **(_own_coordinates(answer.picture) if isinstance(answer, Answer) else {}),
         "status": "ok" if error is None else "failed",
         "message": None if error is None else error.message,
         "objects": [_object(obj, solid) for obj, solid in pairs],
         "timings_ms": {k: round(v, 2) for k, v in (timings_ms or {}).items()},
         "version": __version__,
     }
+
+
+def _own_coordinates(picture: Picture) -> dict[str, Any]:
+    """How pixels become a vector drawing's own coordinates again, where they are not the same."""
+    drawing = picture.drawing
+    if drawing is None or (drawing.origin == (0.0, 0.0) and drawing.scale == 1.0):
+        return {}
+    return {"drawing": {"origin": list(drawing.origin), "scale": drawing.scale}}
 
 
 def encode_report(data: dict[str, Any]) -> bytes:
