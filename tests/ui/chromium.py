@@ -32,9 +32,10 @@ def missing() -> str | None:
 
 
 @contextmanager
-def start_browser(downloads: Path | None = None) -> Iterator[Chrome]:
-    """A browser with an empty profile; what it downloads goes to `downloads`."""
+def start_browser(downloads: Path | None = None, *, many: bool = False) -> Iterator[Chrome]:
+    """A browser with an empty profile; what it downloads goes to `downloads`. Many: it can hold several, each fresh."""
     options = ChromeOptions()
+    options.enable_bidi = many
     options.binary_location = str(shutil.which("chromium"))
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:

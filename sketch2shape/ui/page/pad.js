@@ -1,7 +1,7 @@
 /* The sheet to draw on with mouse, pen, finger and keyboard. It shows strokes and makes new ones; what becomes of them is the
    page's business. Sheet units are CSS pixels at a zoom of one. */
 import { gap } from "./geometry.js";
-import { REACH, corners, dragged, endsOf, goesStraight, settled, snapped, strokeAt, tidied } from "./tidy.js";
+import { REACH, corners, dragged, endsOf, goesStraight, settled, snapped, stamped, strokeAt, tidied } from "./tidy.js";
 import { say } from "./words.js";
 
 /* a contact wider than this is a palm, CSS pixels; a finger does not draw for so long after a pen did, ms */
@@ -224,8 +224,7 @@ export class Pad {
       const options = { reach: c.reach, unit: this.unit, grid: this.grid, lock: c.lock, dashed: c.dashed };
       const path = c.lock ? [c.path[0], c.path[c.path.length - 1]] : c.path;
       const made = path.length > 1 ? tidied(path, this.strokes, options) : [];
-      const last = c.path[c.path.length - 1];
-      if (made.length) this.commit([...this.strokes, ...made.map(s => ({ ...s, ms: last[2] }))]);
+      if (made.length) this.commit([...this.strokes, ...stamped(made, c.path)]);
     } else if (grip && this.fingers.size === 0) {
       this.grip = null;
       this.letGo(grip);

@@ -208,6 +208,21 @@ export function tidied(path, strokes, options) {
   return made;
 }
 
+/* strokes with the time (ms, even along their way) and the mean pressure of the path that they were made of, [x, y, time,
+   pressure]; without pressure where the pointer tells none */
+export function stamped(strokes, path) {
+  const ms = path[path.length - 1][2] ?? 0, pressure = path.reduce((s, p) => s + (p[3] || 0), 0) / path.length;
+  const whole = strokes.reduce((s, stroke) => s + pathLength(stroke.points), 0) || 1;
+  let way = 0;
+  return strokes.map(stroke => ({
+    ...stroke,
+    points: stroke.points.map(([x, y], k) => {
+      if (k) way += gap(stroke.points[k - 1], [x, y]);
+      return [x, y, Math.round(ms * way / whole), ...(pressure ? [Math.round(100 * pressure) / 100] : [])];
+    }),
+  }));
+}
+
 /* ends of strokes that meet no other stroke: [{point, other}], other being the next such end if it is near: two lines that
    were meant to meet */
 export function looseEnds(strokes, near) {

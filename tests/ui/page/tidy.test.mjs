@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { ellipseOf, gap, kept, resampled } from "./geometry.js";
-import { REACH, aligned, dragged, gridNode, locked, looseEnds, meant, settled, snapped, tidied, undrawn } from "./tidy.js";
+import { REACH, aligned, dragged, gridNode, locked, looseEnds, meant, settled, snapped, stamped, tidied, undrawn } from "./tidy.js";
 
 /* a small generator of numbers, the same each time */
 function numbers(seed) {
@@ -131,4 +131,11 @@ test("simplifying and resampling keep the ends", () => {
   const even = resampled(line, 10);
   assert.deepEqual(even[even.length - 1], [90, 40]);
   assert.ok(even.slice(1, -1).every((p, k) => Math.abs(gap(p, even[k]) - 10) < 1e-6));
+});
+
+test("strokes keep the time and the pressure of the pen", () => {
+  const drawn = [[0, 0, 0, 0.5], [50, 0, 100, 0.7], [100, 0, 300, 0.6]];
+  assert.deepEqual(stamped([{ points: [[0, 0], [100, 0]], dashed: true }], drawn), [{ points: [[0, 0, 0, 0.6], [100, 0, 300, 0.6]], dashed: true }]);
+  const two = stamped([{ points: [[0, 0], [50, 0]] }, { points: [[50, 0], [50, 50]] }], drawn.map(p => p.slice(0, 3)));
+  assert.deepEqual(two.map(s => s.points.map(p => p[2])), [[0, 150], [150, 300]]);
 });
