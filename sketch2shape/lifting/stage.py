@@ -209,6 +209,9 @@ def _solid(sized: _Sized, drawing: Drawing, options: LiftOptions, picture_size: 
 def _degenerate(drawing: Drawing) -> str | None:
     """Why no depth or no face can be read off, if so."""
     outer = drawing.outer
+    off = drawing.second.mean(axis=0) - drawing.middle(drawing.first)
+    if drawing.pointed and float(np.hypot(*off)) < _FLAT * drawing.diagonal:
+        return "the point is drawn over the middle of its base"
     if np.hypot(*drawing.relation.d) < _FLAT * drawing.diagonal and drawing.relation.translation_rms < (
         _FLAT * drawing.diagonal
     ):

@@ -53,3 +53,11 @@ def test_an_axonometric_pyramid_is_not_taken_for_one():
     solid = lift(TwoFaceObject(base, [[320, 300 - 150 * np.cos(e)]], noise=1.0))
     assert solid.projection.family == "axonometric"
     assert shape_name(solid) == "square pyramid"
+
+
+def test_a_pyramid_seen_from_its_point_gets_a_height_and_a_warning():
+    square = np.array([[100, 100], [200, 100], [200, 200], [100, 200.0]])
+    solid = lift(TwoFaceObject(square, [[150, 150.0]]))
+    assert any("over the middle of its base" in warning for warning in solid.warnings)
+    assert solid.volume > 0
+    assert shape_name(solid) == "square pyramid"
