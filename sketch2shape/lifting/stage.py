@@ -23,6 +23,9 @@ from sketch2shape.model import Alternative, Floats, Projection, Solid, TwoFaceOb
 #: a connecting vector shorter than this part of the object's size says nothing about the depth
 _FLAT = 0.01
 
+#: how sure the proportions are where no depth or no face can be read off
+_ASSUMED = 0.1
+
 #: an axis drawn with no more than this slope from the vertical stands upright
 _PLUMB = 0.3
 
@@ -51,7 +54,8 @@ def lift(
     drawing = prepare(obj)
     problem = _degenerate(drawing)
     if problem:
-        return _solid(_sized(_default(drawing, problem), options), drawing, options, picture_size)
+        assumed = _solid(_sized(_default(drawing, problem), options), drawing, options, picture_size)
+        return replace(assumed, confidence=_ASSUMED)
     ways = options_of(_allowed(all_readings(drawing, options.depth_ratio), options), wire=obj.lines == "wire")
     if options.reading > len(ways):
         many = "is only one reading" if len(ways) == 1 else f"are only {len(ways)} readings"

@@ -67,9 +67,15 @@ def _profile(solid: Solid, arcs: list[Arc | None]) -> str:
     normal = out.normal if isinstance(out, Plane) else np.zeros(3)
     loop = solid.faces[0].loops[0]
     sweeps: list[float] = []
+    before: Arc | None = None
     for arc, (_, forward) in zip(arcs, loop, strict=True):
         outward = 1.0 if arc is None or forward == (arc.circle.normal @ normal > 0) else -1.0
-        sweeps.append(0.0 if arc is None else outward * float(np.degrees(arc.sweep)))
+        turn = 0.0 if arc is None else outward * float(np.degrees(arc.sweep))
+        if before is not None and arc is not None and _is_one(before, arc):
+            sweeps[-1] += turn  # one arc in two pieces
+        else:
+            sweeps.append(turn)
+        before = arc
     bent = [s for s in sweeps if s]
     n = len(sweeps)
     halves, quarters = sum(abs(s - 180) < 2 for s in bent), sum(abs(s - 90) < 2 for s in bent)
@@ -84,6 +90,12 @@ def _profile(solid: Solid, arcs: list[Arc | None]) -> str:
     if n == 8 and quarters == 4 == len(bent):
         return "rounded rectangle"
     return "arched" if len(bent) == 1 and bent[0] < -100 else "round-edged"
+
+
+def _is_one(one: Arc, other: Arc) -> bool:
+    """Are two arcs pieces of one circle?"""
+    apart = float(np.linalg.norm(one.circle.center - other.circle.center))
+    return max(apart, abs(one.circle.radius - other.circle.radius)) <= 0.02 * one.circle.radius
 
 
 def _straight_name(solid: Solid, pointed: bool) -> str:

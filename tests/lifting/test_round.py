@@ -145,6 +145,7 @@ def test_an_edge_on_circle_gets_a_warning():
     flat = np.array([[1.0, 0, 0], [0, 1e-4, 0.5]])
     solid = lift(Drawer(flat).draw([CIRCLE], 1.0))
     assert solid.warnings
+    assert solid.confidence < 0.5
 
 
 def test_a_straight_object_is_none_the_worse():

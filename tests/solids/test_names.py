@@ -54,6 +54,11 @@ def test_round_solids(name, words):
     assert shape_name(ROUND[name][0]) == words
 
 
+def test_an_arc_in_two_pieces_is_one():
+    half = solid([[2, 0], [0, 2], [-2, 0]], [3], [(0, 0, 0, 0, 2, 1), (0, 1, 0, 0, 2, 1)])
+    assert shape_name(half) == "half cylinder"
+
+
 @pytest.mark.parametrize(
     ("base", "name"),
     [
