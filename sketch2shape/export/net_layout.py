@@ -22,6 +22,9 @@ _TAB, _TAB_PART = 7.0, 0.2
 #: heights of the numbers on faces and on tabs, millimetres, and as parts of the room there is
 _NUMBER, _TAB_NUMBER, _NUMBER_PART = 6.0, 2.4, 0.6
 
+#: part of the largest room that is enough for a number in the middle of a face
+_ROOM = 0.7
+
 #: how exactly the middle of the largest circle within a face is found, as a part of the face's size
 _MIDDLE = 0.02
 
@@ -107,30 +110,39 @@ def _lines(piece: Piece, number: int, glued: list[Joint]) -> list[Cut]:
 
 
 def _numbered(face: FlatFace) -> Cut:
-    """The number of a face, in the middle of where it is widest."""
+    """The number of a face: in its middle, unless it has more room elsewhere."""
     shape = polygon(face)
     size = float(np.hypot(*np.subtract(shape.bounds[2:], shape.bounds[:2])))
     line = shapely.maximum_inscribed_circle(shape, _MIDDLE * size)
     middle, radius = shapely.get_coordinates(line)[:1], float(line.length)
+    room = shapely.distance(shape.centroid, shape.boundary) if shape.contains(shape.centroid) else 0.0
+    if room > _ROOM * radius:
+        middle, radius = shapely.get_coordinates(shape.centroid), float(room)
     return Cut("text", middle, str(face.number + 1), min(_NUMBER, _NUMBER_PART * radius))
 
 
 def _settled(lines: list[Cut], room: Room) -> tuple[list[Cut], float, float]:
     """The lines turned to lie along the paper, their lower left corner at the origin, with their width and height.
 
-    Straight edges are laid level where that fits, else as the smallest rectangle around the piece says.
+    Most folds are level or upright then, unless the piece only fits aslant.
     """
     points = np.concatenate([line.points for line in lines])
     corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapely.MultiPoint(points)))
-    ends = [line.points for line in lines if len(line.points) == 2] + ([corners[:2]] if len(corners) > 2 else [])
-    angles = np.unique(np.round([np.degrees(np.arctan2(*(b - a)[::-1])) % 90.0 for a, b in ends], 3))
+    straight = [line for line in lines if len(line.points) == 2] + ([Cut("", corners[:2])] if len(corners) > 2 else [])
+    aligned: dict[float, float] = {0.0: 0.0}
+    for line in straight:
+        (x, y) = line.points[1] - line.points[0]
+        angle = round(float(np.degrees(np.arctan2(y, x))) % 90.0, 2) % 90.0
+        aligned[angle] = aligned.get(angle, 0.0) + (float(np.hypot(x, y)) if line.layer.startswith("fold") else 0.0)
     ways = []
-    for angle in np.radians([*angles, *(angles + 90.0)]) if len(angles) else [0.0]:
-        matrix = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    for turn, quarter in ((turn, quarter) for turn in aligned for quarter in (0.0, 90.0)):
+        c, s = np.cos(np.radians(turn + quarter)), np.sin(np.radians(turn + quarter))
+        matrix = np.array([[c, s], [-s, c]])
         width, height = np.ptp(points @ matrix.T, axis=0).tolist()
         over = max(width - room[0], 0.0) + max(height - room[1], 0.0)
-        ways.append((round(over, 3), round(width * height, 3), round(height, 3), angle, matrix, width, height))
-    *_, matrix, width, height = min(ways, key=lambda way: way[:4])
+        rank = (round(over, 3), -round(aligned[turn], 3), round(width * height, 3), round(height, 3), turn + quarter)
+        ways.append((rank, matrix, width, height))
+    _, matrix, width, height = min(ways, key=lambda way: way[0])
     return [line.moved(matrix, -(points @ matrix.T).min(axis=0)) for line in lines], width, height
 
 
