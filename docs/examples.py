@@ -56,6 +56,27 @@ def single_stages(drawing: bytes) -> None:
     print(f"a box of volume {s2s.lift(box, options=LiftOptions(width='40mm')).volume:.0f} mm3")
 
 
+def round_and_pointed(path: Path) -> None:
+    """Objects with arcs, and those that come to a point, made by hand: a cylinder that stands, and a pyramid."""
+    turn = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    rims = [np.array([200.0, y]) for y in (100.0, 260.0)]
+    arcs = tuple(
+        s2s.DrawnArc(face, None, None, None, s2s.Ellipse(rim, (80.0, 40.0), 0.0), rim + np.c_[80, 40] * circle(turn))
+        for face, rim in zip(("f1", "f2"), rims, strict=True)
+    )
+    cylinder = s2s.lift(s2s.TwoFaceObject(f1=[], f2=[], arcs=arcs), options=LiftOptions(width="40mm"))
+    print(f"a cylinder of {' x '.join(f'{d:.1f}' for d in cylinder.dimensions)} mm")
+    cylinder.export(path, tolerance="0.02mm")
+    base = np.array([[100.0, 300.0], [300.0, 300.0], [370.0, 230.0], [170.0, 230.0]])
+    pyramid = s2s.lift(s2s.TwoFaceObject(f1=base, f2=[[235.0, 60.0]]))
+    print(f"a pyramid with {len(pyramid.faces)} faces")
+
+
+def circle(turn: np.ndarray) -> np.ndarray:
+    """(n, 2) points of the unit circle at these angles, radians."""
+    return np.c_[np.cos(turn), np.sin(turn)]
+
+
 def correct(result: s2s.Result) -> s2s.Result:
     """Put a vertex right by hand, and say how large the thing is."""
     found = result.objects[0]
@@ -104,6 +125,7 @@ def main(folder: Path, names: Iterable[str] = EXAMPLES) -> None:
     (folder / "input.png").write_bytes(drawing)
     result = whole(drawing)
     single_stages(drawing)
+    round_and_pointed(folder / "cylinder.stl")
     print(f"corrected: {correct(result).solids[0].unit}, {correct(result).objects[0].connectors}")
     refuse()
     draw_pictures(s2s.Result(result.objects, result.solids, Picture(result.picture.pixels, "isometric.png")), folder)

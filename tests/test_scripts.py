@@ -10,7 +10,7 @@ import pytest
 SCRIPTS = Path(__file__).parent.parent / "scripts"
 
 
-@pytest.mark.parametrize("name", ["make_drawings", "evaluate", "evaluate_lifting"])
+@pytest.mark.parametrize("name", ["make_drawings", "evaluate", "evaluate_lifting", "evaluate_round_lifting"])
 def test_a_script_finds_what_it_imports(name, tmp_path):
     kept = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
     ran = subprocess.run(
