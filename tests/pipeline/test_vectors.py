@@ -122,3 +122,13 @@ def test_the_other_stages_take_vector_drawings_too():
     assert (gap.min(axis=0) < 1).all()
     assert len(s2s.trace_strokes(picture).ends) == 12
     assert any(same_object(o, SQUARE, SQUARE + DEPTH, 1) for o in s2s.separate_faces(picture))
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
+def test_the_clean_drawing_that_is_exported_is_read_again(lines, tmp_path):
+    told = s2s.reconstruct(picture_of(prism_lines(HEXAGON, HEXAGON + DEPTH, lines), page=(480, 400)))
+    again = s2s.reconstruct(told.export(tmp_path / "clean.svg"))
+    assert again.picture.drawing is not None
+    assert again.picture.size == (480, 400)
+    assert same_object(again.objects[0], HEXAGON, HEXAGON + DEPTH, 1.0)
+    assert again.objects[0].confidence > 0.9
