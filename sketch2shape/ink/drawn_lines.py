@@ -10,7 +10,7 @@ import numpy as np
 
 from sketch2shape.model import Bools, Floats, Ink, VectorDrawing, VectorLine, as_gray
 
-RULED, BY_HAND = 560.0, 400.0
+RULED, BY_HAND = 560.0, 330.0
 """Working pixels along the diagonal of what is drawn: as on the sheets with which all tolerances were chosen; fewer for
 lines of a hand, whose wobble then is as many pixels wide as those tolerances."""
 STRAIGHT, LONG, MOSTLY = 2e-4, 0.05, 0.8
@@ -35,7 +35,7 @@ def ink_of_lines(drawing: VectorDrawing) -> Ink:
         return Ink(np.zeros((1, 1), np.bool_), np.zeros((1, 1), np.uint8), 1.0, lines=())
     low, span = points.min(axis=0), np.ptp(points, axis=0)
     diagonal = max(float(np.hypot(*span)), 1e-9)
-    scale = (RULED if _is_ruled(drawing.lines, diagonal) else BY_HAND) / diagonal
+    scale = (RULED if is_ruled(drawing.lines, diagonal) else BY_HAND) / diagonal
     origin = low - MARGIN / scale
     lines = [line.mapped(origin, scale) for line in drawing.lines]
     settled = sorted((_settled(line) for line in lines), key=lambda line: line.points[[0, -1]].ravel().tolist())
@@ -45,8 +45,8 @@ def ink_of_lines(drawing: VectorDrawing) -> Ink:
     return Ink(mask, as_gray(mask.view(np.uint8) * 255), PEN, scale, origin=at, lines=tuple(settled))
 
 
-def _is_ruled(lines: Iterable[VectorLine], diagonal: float) -> bool:
-    """Whether most of what is drawn is straight, or a curve of a program."""
+def is_ruled(lines: Iterable[VectorLine], diagonal: float) -> bool:
+    """Whether most of what is drawn, on a sheet of this diagonal, is straight, or a curve of a program."""
     ruled = every = 0.0
     for line in lines:
         length = _length(line.points)

@@ -17,7 +17,7 @@ import numpy as np
 from sketch2shape.evidence import Evidence, Sheet, sheet_for
 from sketch2shape.geometry import thinned
 from sketch2shape.hypotheses import Rings, opaque, united, walked, wireframe
-from sketch2shape.ink import Group
+from sketch2shape.ink import Group, is_ruled
 from sketch2shape.search.shortlist import ENOUGH, Judged, shortlist
 from sketch2shape.search.tolerances import (
     CLOSE,
@@ -47,6 +47,8 @@ STEADY = 0.4
 """Wobble of finely traced strokes, pixels, up to which a close look may find bends that no hand has made."""
 BENT = 2.5
 """Wobble of finely traced strokes over that of a close look from which on lines have bends that no wobble makes."""
+COARSE = 3
+"""The first round that traces coarsely."""
 ROUGH = 0.9
 """Score that the roughest round has to reach: so much tolerance finds something in any tangle."""
 CONTENT = 0.95
@@ -197,7 +199,7 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     early = _early(looks)
     for look in early:
         yield replace(look.wires, is_whole=False)
-    for look in looks:
+    for look in _likely_first(looks):
         if look.number == 1 and found and found[-1].is_sound:
             continue
         if look.round.last_resort and found and max(a.score for a in found) >= CONTENT:
@@ -210,6 +212,14 @@ def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
             yield attempt
     if found and not is_bent and max(a.score for a in found) < CONTENT and close.traced.wobble < STEADY:
         yield close.attempt()
+
+
+def _likely_first(looks: list[_Look]) -> list[_Look]:
+    """Rounds that trace more finely than a hand draws come later, where lines are known: their wobble is the hand's."""
+    lines = looks[0].traced.group.ink.lines if looks else None
+    if lines is None or is_ruled(lines, looks[0].traced.group.size):
+        return looks
+    return sorted(looks, key=lambda look: (look.round.last_resort, look.number < COARSE))
 
 
 def second_attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:

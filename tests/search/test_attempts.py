@@ -1,10 +1,15 @@
 """What each round makes of a drawing, and in which order rounds are asked."""
 
+import numpy as np
 import pytest
 from sketches import DEPTH, L_SHAPE, SQUARE, ink_of, prism
+from solid_lines import prism_lines
 
+from sketch2shape.ink import find_ink
 from sketch2shape.ink.groups import split_groups
-from sketch2shape.search.attempts import GOOD, attempts
+from sketch2shape.model import VectorLine
+from sketch2shape.reading.sheet import picture_of
+from sketch2shape.search.attempts import GOOD, _likely_first, _looks, attempts
 from sketch2shape.strokes.skeleton import thin
 
 
@@ -36,3 +41,24 @@ def test_a_drawing_without_crossing_strokes_is_asked_round_by_round():
     assert numbers == sorted(set(numbers))  # none comes back, as it would after a first look for wireframes
     first = next(attempts_at(prism(SQUARE, SQUARE + DEPTH, "removed")))
     assert first.shortlist[0][1].lines == "removed"
+
+
+def test_of_a_wavy_hand_whose_lines_are_known_coarser_rounds_come_first():
+    t = np.linspace(0, 1, 60)[:, None]
+
+    def numbers(amplitude):
+        lines = []
+        for line in prism_lines(SQUARE, SQUARE + DEPTH):
+            a, b = line.points
+            side = np.array([a[1] - b[1], b[0] - a[0]]) / np.linalg.norm(b - a)
+            lines.append(VectorLine(a + t * (b - a) + amplitude * np.sin(9 * t) * side))
+        (group,) = split_groups(find_ink(picture_of(lines)))
+        looks = list(_looks(group, thin(group.ink), iter(range(100))))
+        return [look.number for look in looks], [look.number for look in _likely_first(looks)]
+
+    ruled, in_order = numbers(0.0)
+    assert in_order == ruled
+    wavy, in_order = numbers(1.3)
+    assert in_order[0] == 3
+    assert sorted(in_order) == wavy
+    assert in_order[-1] == wavy[-1]
