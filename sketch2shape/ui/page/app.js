@@ -20,6 +20,8 @@ const NAMES = ["width", "height", "depth"];
 const FEWEST = 5;
 /* ms: a wait worth a sign, a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
 const SOON = 300, LONG = 1200, PAUSE = 350;
+/* ms without a new stroke after which a drawing with loose ends is searched as a whole */
+const REST = 500;
 const SURE = 0.9;
 
 /* all that undo travels through: the sheet in view, strokes, objects, loose vertices; why the objects are only a guess ("" if
@@ -143,9 +145,11 @@ function startSketch(strokes = [], wishes = []) {
   $("pad").focus({ preventScroll: true });
 }
 
-/* the solid follows the strokes: one request at a time, the latest strokes last */
-let asking = false, wished = [];
+/* the solid follows the strokes: a first look at once; the whole search when that is not sure, and not before the pen rests
+   while ends are loose. One request at a time, the latest strokes last */
+let asking = false, wished = [], lastStroke = 0;
 async function live(since) {
+  lastStroke = since;
   review(null);
   if (asking) return;
   asking = true;
@@ -153,14 +157,8 @@ async function live(since) {
   try {
     for (let strokes = null; strokes !== state.strokes && drawing();) {
       ({ strokes } = state);
-      if (strokes.length < FEWEST) {
-        amend({ ...state, objects: [], guess: "", sure: null });
-        showAnswer(NO_SOLID);
-        if (strokes.length) tell(say("needMore"));
-        continue;
-      }
-      const found = await server.sketch(strokes);
-      if (strokes === state.strokes) { await showLive(found); timings.sketch.push(performance.now() - since); }
+      if (strokes.length < FEWEST) nothingYet(strokes);
+      else await look(strokes);
     }
   } catch (error) {
     tell(error.message, true);
@@ -169,6 +167,32 @@ async function live(since) {
     busy("");
     asking = false;
   }
+}
+
+function nothingYet(strokes) {
+  amend({ ...state, objects: [], guess: "", sure: null });
+  showAnswer(NO_SOLID);
+  if (strokes.length) tell(say("needMore"));
+}
+
+async function look(strokes) {
+  let told = false;
+  const show = async found => {
+    if (strokes !== state.strokes) return;
+    await showLive(found);
+    if (!told) timings.sketch.push(performance.now() - lastStroke);
+    told = true;
+  };
+  const first = await server.sketch(strokes, true), sure = first.problem ? 0 : Math.min(...first.objects.map(o => o.confidence));
+  if (sure > 0) await show(first);
+  if (sure >= SURE || strokes !== state.strokes) return;
+  if (marks.loose.length) await rest(strokes);
+  if (strokes === state.strokes) await show(await server.sketch(strokes, false));
+}
+
+/* until the pen has rested, or has drawn on */
+async function rest(strokes) {
+  while (strokes === state.strokes && performance.now() - lastStroke < REST) await new Promise(done => setTimeout(done, 30));
 }
 
 function amend(next) {
