@@ -71,10 +71,12 @@ def encode(
 def note_of(
     result: Answer | Solid | Sequence[Solid], format: str, *, paper: PaperName = "a4", angle: Angle = "third"
 ) -> str | None:
-    """What `encode` has to assume for a plan without a real size, or to leave of its scale, in words; None if nothing.
+    """What `encode` has to assume, in words: a plan's size or scale, or a unit that a format has no word for.
 
-    Raises as `encode`.
+    None if nothing. Raises as `encode`.
     """
+    if format in _UNITLESS and _solids_of(result)[0].unit not in ("px", "mm"):
+        return f"{format} has no word for the unit: its numbers are millimetres"
     return plan_note(_solids_of(result), format, PlanOptions(paper, angle)) if format in PLANS else None
 
 

@@ -58,8 +58,10 @@ def lift(
         return replace(assumed, confidence=_ASSUMED)
     ways = options_of(_allowed(all_readings(drawing, options.depth_ratio), options), wire=obj.lines == "wire")
     if options.reading > len(ways):
-        many = "is only one reading" if len(ways) == 1 else f"are only {len(ways)} readings"
-        raise UsageError(f"there {many} of this drawing", remedy=f"--reading with a number from 1 to {len(ways)}")
+        if len(ways) == 1:
+            raise UsageError("there is only one reading of this drawing", remedy="--necker for its mirror image")
+        remedy = f"--reading with a number from 1 to {len(ways)}"
+        raise UsageError(f"there are only {len(ways)} readings of this drawing", remedy=remedy)
     chosen = options.reading - 1
     sized = [_sized(shape, options) for shape in _tidied(ways, drawing, options)]
     others = tuple(

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sketch2shape.errors import NoObjectError, UsageError
-from sketch2shape.export import encode, format_of, to_trimesh
+from sketch2shape.export import encode, format_of, note_of, to_trimesh
 from sketch2shape.export.mesh import settled
 from sketch2shape.export.units import in_millimetres
 from sketch2shape.model import Projection, Solid, two_face_boundary
@@ -110,6 +110,21 @@ def test_formats_without_units_are_in_millimetres(format, unit, millimetres):
     data = encode(replace(prism([L_SHAPE]), unit=unit), format)
     mesh = trimesh.load(io.BytesIO(data), file_type=format.split("-")[0], force="mesh")
     assert np.ptp(mesh.vertices, axis=0) == pytest.approx(millimetres * np.ptp(prism([L_SHAPE]).vertices, axis=0))
+
+
+@pytest.mark.parametrize(
+    ("unit", "format", "note"),
+    [
+        ("cm", "stl", "millimetres"),
+        ("in", "obj", "millimetres"),
+        ("mm", "stl", ""),
+        ("px", "stl", ""),
+        ("cm", "3mf", ""),
+    ],
+)
+def test_and_this_is_said_where_another_unit_was_asked_for(unit, format, note):
+    assert note in (note_of(replace(prism([L_SHAPE]), unit=unit), format) or "")
+    assert bool(note) == bool(note_of(replace(prism([L_SHAPE]), unit=unit), format))
 
 
 @pytest.mark.parametrize(

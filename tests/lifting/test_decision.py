@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from sketch2shape.errors import UsageError
 from sketch2shape.lifting import LiftOptions, lift
 from sketch2shape.lifting.decision import all_readings
 from sketch2shape.lifting.projection import prepare
@@ -141,6 +142,17 @@ def test_alternatives_are_the_next_readings_and_can_be_taken():
     assert taken.dimensions == pytest.approx(second.dimensions)
     assert taken.projection.evidence["reading"] == "cavalier"
     assert [a.reading for a in taken.alternatives].count("cabinet") >= 1
+
+
+def test_a_reading_that_is_not_there_is_refused_with_what_there_is():
+    obj = TwoFaceObject(SQUARE, SQUARE + [60, -60], noise=1.0)
+    with pytest.raises(UsageError, match=r"only \d readings"):
+        lift(obj, options=LiftOptions(reading=9))
+    wedge = TwoFaceObject(FACE, FACE + [70, -40], lines="removed", noise=0.1)
+    alone = LiftOptions(reading=2, projection="oblique", depth_ratio=0.5)
+    with pytest.raises(UsageError, match="only one reading") as caught:
+        lift(wedge, options=alone)
+    assert "--necker" in caught.value.advice
 
 
 def test_a_wireframe_may_be_seen_from_below():
