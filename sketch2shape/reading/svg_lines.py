@@ -13,7 +13,7 @@ import numpy as np
 from sketch2shape.errors import LimitError
 from sketch2shape.model import Floats, VectorLine
 from sketch2shape.reading.guarded_xml import local, parsed
-from sketch2shape.reading.painted import Colour, Shape
+from sketch2shape.reading.painted import Colour, OutlinedStrokesError, Shape
 
 CHORDS, FEWEST, CURVES = 24, 4, 1000
 """Chords of a quarter turn or a Bezier curve: off by a thousandth of its radius; fewer where there are many curves."""
@@ -39,7 +39,7 @@ _HREF = ("href", "{http://www.w3.org/1999/xlink}href")
 def svg_shapes(text: str, size: tuple[float, float]) -> list[Shape]:
     """The shapes of an SVG, in the order they are painted, in pixels of a page of this size, at 96 dpi.
 
-    Raises UnreadableError, LimitError.
+    Raises OutlinedStrokesError where only a renderer can tell, UnreadableError, LimitError.
     """
     import svgelements
 
@@ -48,7 +48,10 @@ def svg_shapes(text: str, size: tuple[float, float]) -> list[Shape]:
     _check_repeats(root)
     root.set("width", f"{size[0]}px")
     root.set("height", f"{size[1]}px")
-    drawing = svgelements.SVG.parse(io.BytesIO(tostring(root)), reify=True, ppi=96.0)
+    try:
+        drawing = svgelements.SVG.parse(io.BytesIO(tostring(root)), reify=True, ppi=96.0)
+    except Exception:  # what the library stumbles over, a renderer may still draw
+        raise OutlinedStrokesError from None
     painted, segments = [], 0
     for element in drawing.elements():
         if isinstance(element, svgelements.Shape) and element.values.get("visibility") not in ("hidden", "collapse"):
@@ -65,7 +68,7 @@ def _strip(element: Element) -> None:
         style = len(child.text or "") if local(child.tag) == "style" else 0
         if style > MOST_STYLE or len(child.get("class", "")) > LONGEST_CLASS:
             raise LimitError("its style sheet is too long", remedy="save it as plain SVG")
-        if local(child.tag) in LEFT_OUT:
+        if local(child.tag) in LEFT_OUT or (local(child.tag) == "path" and not child.get("d")):
             element.remove(child)
         else:
             _strip(child)

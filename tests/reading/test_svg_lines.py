@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sketch2shape.errors import LimitError
-from sketch2shape.reading.painted import visible_lines
+from sketch2shape.reading.painted import OutlinedStrokesError, visible_lines
 from sketch2shape.reading.svg_lines import svg_shapes
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="400" height="300">'
@@ -127,6 +127,17 @@ def test_many_curves_get_fewer_chords_and_too_many_are_refused():
     assert len(lines(body)[0].points) == 3000 * 4 + 1
     with pytest.raises(LimitError):
         lines('<path fill="none" stroke="red" d="M0 0' + "l1 1" * 31_000 + '"/>')
+
+
+def test_paths_without_data_such_as_the_glyph_of_a_space_are_left_out():
+    glyphs = '<defs><path id="s"/><path id="a" d="M0 0L9 0L9 9Z"/></defs><use href="#s"/><use href="#a" x="20"/>'
+    assert len(lines(f'{glyphs}<path d="M0 0L400 0" stroke="red"/><path d="M0 0L0 300" stroke="red"/>')) == 2
+
+
+def test_what_the_library_stumbles_over_is_left_to_a_renderer(monkeypatch):
+    monkeypatch.setattr("svgelements.SVG.parse", lambda *_a, **_k: [][0])
+    with pytest.raises(OutlinedStrokesError):
+        lines('<path d="M0 0L400 0" stroke="red"/>')
 
 
 def test_numbers_that_are_none_are_left_out():

@@ -1,5 +1,6 @@
 """One file in each manner of the programs that keep lines, read as lines, and the object they show found in them."""
 
+import io
 import json
 from pathlib import Path
 
@@ -63,3 +64,28 @@ def test_what_is_written_holds_every_stroke_to_a_tenth_of_a_pixel(manner):
     on_sheet = (read - read.min(axis=0)) * k + low
     gap = np.linalg.norm(drawn[:, None] - on_sheet, axis=2).min(axis=1)
     assert gap.max() < (2.0 if manner == "svg/outlined" else 0.1)
+
+
+@pytest.mark.parametrize("kind", ["svg", "pdf"])
+def test_a_figure_of_matplotlib_is_read_right(kind):
+    """Files that the program itself has written: labels as glyphs, a ground, clips, style sheets."""
+    figures = pytest.importorskip("matplotlib.figure")
+    if kind == "pdf":
+        pytest.importorskip("pypdfium2")
+    front = np.array([[1, 1], [3, 1], [3, 2.5], [1, 2.5]])
+    back = front + [0.9, 0.7]
+    axes = (figure := figures.Figure()).subplots()
+    axes.axis("off")
+    axes.set_aspect("equal")
+    for i in range(4):
+        for a, b, hidden in (
+            (front[i], front[i - 1], False),
+            (back[i], back[i - 1], i in (0, 1)),
+            (front[i], back[i], i == 0),
+        ):
+            axes.plot(*np.transpose([a, b]), "k--" if hidden else "k-")
+    axes.text(2, 0.8, "a = 2 cm")
+    figure.savefig(out := io.BytesIO(), format=kind)
+    (found,) = s2s.reconstruct(out.getvalue()).objects
+    assert (len(found.f1), found.lines) == (4, "dashed")
+    assert found.confidence > 0.9
