@@ -53,6 +53,11 @@ class DrawnArc(Brief):
     ellipse: Ellipse
     points: Floats
 
+    @property
+    def path(self) -> Floats:
+        """(k, 2) its points; round a whole ellipse back to the first."""
+        return self.points if self.start is not None else np.concatenate([self.points, self.points[:1]])
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FacePair(Brief):

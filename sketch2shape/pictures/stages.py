@@ -129,8 +129,7 @@ def _arcs(canvas: Canvas, obj: TwoFaceObject) -> None:
     for side, colour in _SIDES:
         for arc in obj.arcs:
             if arc.face == side:
-                points = arc.points if arc.start is not None else np.concatenate([arc.points, arc.points[:1]])
-                canvas.path(points, mix(colour, PAPER, 0.6), 1.6)
+                canvas.path(arc.path, mix(colour, PAPER, 0.6), 1.6)
 
 
 def _numbered(canvas: Canvas, obj: TwoFaceObject, *, front: bool) -> None:

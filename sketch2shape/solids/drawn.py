@@ -54,7 +54,7 @@ def drawn_lines(obj: TwoFaceObject, solid: Solid) -> list[DrawnLine]:
     if not solid.boundary.is_round:
         return _straight_lines(solid, obj.vertices)
     if solid.camera is None:  # nothing tells what hides what
-        arcs = [DrawnLine(_closed(arc), True, None) for arc in obj.arcs]
+        arcs = [DrawnLine(arc.path, True, None) for arc in obj.arcs]
         return [*arcs, *(DrawnLine(obj.vertices[list(e)], True, k) for k, e in enumerate(obj.edges))]
     return _round_lines(solid, solid.camera, obj.vertices, _arcs_at(obj))
 
@@ -199,7 +199,3 @@ def _snapped(points: Floats, arc: DrawnArc | None, *, whole: bool) -> Floats:
     away = (points - points[:-1].mean(axis=0)) @ axes.T
     reach = np.hypot(*(away / arc.ellipse.axes).T)
     return np.asarray(arc.ellipse.center + (away / np.maximum(reach, 1e-9)[:, None]) @ axes)
-
-
-def _closed(arc: DrawnArc) -> Floats:
-    return np.concatenate([arc.points, arc.points[:1]]) if arc.start is None else arc.points
