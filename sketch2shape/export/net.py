@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from sketch2shape.export.net_layout import Cut, packed
+from sketch2shape.export.net_layout import Cut, largest_factor, packed
 from sketch2shape.export.scale import fitting_scales, reductions
 from sketch2shape.model import Solid
 from sketch2shape.sheets import PAPERS, Document, Item, Label, Layer, Paper, Sheet, Stroke
@@ -40,9 +40,12 @@ def net_document(solids: Sequence[Solid], paper: str = "a4") -> tuple[Document, 
 def _laid(solids: tuple[Solid, ...], paper: Paper) -> tuple[Document, str | None]:
     """The sheets, at the largest scale that fits: a true one if the solids have a real size."""
     room = (paper.width - 2 * MARGIN, paper.height - 2 * MARGIN - FOOT)
-    unit, largest = solids[0].unit, max(max(solid.dimensions) for solid in solids)
+    unit = solids[0].unit
     allowed = len(solids) if unit == "px" else _MOST_SHEETS
-    for scale in fitting_scales(largest, room[1]) if unit == "px" else reductions(unit):
+    scales = reductions(unit)
+    if unit == "px":
+        scales = fitting_scales(min(largest_factor(solid.boundary, room) for solid in solids))
+    for scale in scales:
         sheets = [sheet for solid in solids for sheet in packed(solid.boundary.scaled(scale.factor), room, allowed)]
         if len(sheets) <= allowed:
             break

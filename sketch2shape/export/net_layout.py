@@ -70,6 +70,13 @@ def packed(boundary: Boundary, room: Room, most: int) -> list[list[Cut]]:
     return _on_sheets(drawn, room)
 
 
+def largest_factor(boundary: Boundary, room: Room) -> float:
+    """A scale at which the net, in as few pieces as it can have, may just go on one sheet."""
+    sides = np.array([sorted(_sides(piece.outline)) for piece in unfolded(boundary)])
+    each = np.array(sorted(room)) / np.maximum(sides, 1e-9)
+    return float(min(each.min(), np.sqrt(room[0] * room[1] / max(float(sides.prod(axis=1).sum()), 1e-9))))
+
+
 def _largest_face(boundary: Boundary) -> shapely.Geometry:
     points = boundary.extremes(np.eye(3))
     spans = np.sort(np.ptp(points, axis=0))
@@ -80,7 +87,7 @@ def _sides(outline: shapely.Geometry) -> tuple[float, float]:
     """Width and height of the smallest rectangle around an outline."""
     corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(outline))
     if len(corners) < 4:
-        return float(np.ptp(corners)), 0.0
+        return float(np.ptp(corners)) if len(corners) else 0.0, 0.0
     a, b = np.linalg.norm(np.diff(corners[:3], axis=0), axis=1).tolist()
     return a, b
 
@@ -112,6 +119,8 @@ def _lines(piece: Piece, number: int, glued: list[Joint]) -> list[Cut]:
 def _numbered(face: FlatFace) -> Cut:
     """The number of a face: in its middle, unless it has more room elsewhere."""
     shape = polygon(face)
+    if shape.area == 0.0:
+        return Cut("text", face.ring().mean(axis=0)[None], str(face.number + 1), _TAB_NUMBER)
     size = float(np.hypot(*np.subtract(shape.bounds[2:], shape.bounds[:2])))
     line = shapely.maximum_inscribed_circle(shape, _MIDDLE * size)
     middle, radius = shapely.get_coordinates(line)[:1], float(line.length)

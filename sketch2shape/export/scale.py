@@ -43,9 +43,8 @@ def usual_scales(unit: str) -> Iterator[Scale]:
         yield Scale(MILLIMETRES[unit] * ratio, True, f"scale {text}", None)
 
 
-def fitting_scales(largest: float, room: float) -> Iterator[Scale]:
-    """Ever smaller scales for a solid in pixels, from one at which its largest size fills the room, millimetres."""
-    factor = room / largest
+def fitting_scales(factor: float) -> Iterator[Scale]:
+    """Ever smaller scales for a solid in pixels, from a factor that is too large or just fits, millimetres a pixel."""
     for _ in range(48):
         rounded = float(f"{factor:.2g}")
         told = f"no real size is known: 100 px of the drawing are {100 * rounded:.4g} mm here"

@@ -57,7 +57,7 @@ def laid_views(solids: tuple[Solid, ...], paper: Paper, angle: Angle) -> tuple[D
     sets = [_views(solid, angle) for solid in solids]
     unit, room = solids[0].unit, (paper.width - 2 * _MARGIN, paper.height - 2 * _MARGIN - _FOOT)
     largest = max(max(solid.dimensions) for solid in solids)
-    for scale in fitting_scales(largest, room[0]) if unit == "px" else usual_scales(unit):
+    for scale in fitting_scales(room[0] / largest) if unit == "px" else usual_scales(unit):
         if all(_fits(views, scale.factor, room) for views in sets):
             break
     title = f"Front, top and side view, {scale.told}"

@@ -110,8 +110,11 @@ def _candidates(solid: Solid, lines: list[DrawnLine]) -> Iterator[tuple[tuple[ob
         at, along = line.points[half], line.points[half] - line.points[half - 1]
         if arc is None and k not in smooth and edge.start is not None and edge.end is not None:
             vector = solid.vertices[edge.end] - solid.vertices[edge.start]
-            text, at = number(float(np.linalg.norm(vector))), line.points.mean(axis=0)
-            vector = vector / np.linalg.norm(vector)
+            length = float(np.linalg.norm(vector))
+            text, at = number(length), line.points.mean(axis=0)
+            if text == "0":
+                continue
+            vector = vector / length
             first = np.round(vector, 3) * (np.sign(vector[np.abs(vector).argmax()]) or 1.0) + 0.0
             yield (text, *first.tolist()), _Told(text, at, along, line.visible)
         elif arc is not None:

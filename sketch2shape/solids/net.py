@@ -62,13 +62,17 @@ def covered(shapes: Sequence[shapely.Geometry]) -> shapely.Geometry:
 
     On a fine grid: edges that differ by rounding alone are one there, while without it GEOS may lose shapes.
     """
-    size = float(np.ptp(shapely.get_coordinates(shapes), axis=0).max())
+    points = shapely.get_coordinates(shapes)
+    if not len(points):
+        return shapely.Polygon()
+    size = float(np.ptp(points, axis=0).max())
     return shapely.union_all(shapes, grid_size=_GRID * size)
 
 
-def polygon(face: FlatFace) -> shapely.Polygon:
-    """A face as a polygon with holes."""
-    return shapely.Polygon(face.ring(), [face.ring(k) for k in range(1, len(face.loops))])
+def polygon(face: FlatFace) -> shapely.Geometry:
+    """A face as a polygon with holes; one that crosses itself as what it covers."""
+    whole = shapely.Polygon(face.ring(), [face.ring(k) for k in range(1, len(face.loops))])
+    return whole if whole.is_valid else shapely.buffer(whole, 0.0)
 
 
 def unfolded(boundary: Boundary, fits: Fits = lambda _: True) -> list[Piece]:
@@ -114,11 +118,12 @@ class _Unfolding:
         # principal faces: those across the sides, which come first
         normals = [f.surface.normal for f in boundary.faces[:2] if isinstance(f.surface, Plane)]
         self.ends = 2 if len(normals) == 2 and abs(float(normals[0] @ normals[1])) > 0.999 else 1
+        size = float(np.ptp(boundary.extremes(np.eye(3)), axis=0).max())
         self.joins: dict[int, list[tuple[int, int]]] = defaultdict(list)
         at: dict[int, list[int]] = defaultdict(list)
         for face in self.faces:
             for edge in face.loops[0]:
-                if edge.is_straight and edge.edge is not None:
+                if edge.is_straight and edge.edge is not None and edge.length > _GRID * size:
                     at[edge.edge].append(face.number)
         for number, pair in at.items():
             if len(pair) == 2:

@@ -81,6 +81,21 @@ def test_without_a_real_size_the_scale_is_told():
     assert note_of(facing([HOUSE]), "net.pdf") is None
 
 
+@pytest.mark.parametrize(
+    "ring",
+    [
+        np.array([[0, 0], [40, 40], [40, 0], [0, 40.0]]),  # crosses itself
+        np.array([[0, 0], [40, 0], [40, 0], [40, 40], [0, 40.0]]),  # an edge of no length
+        np.array([[0, 0], [20, 0], [40, 0], [30, 0.0]]),  # no area
+    ],
+)
+@pytest.mark.parametrize("unit", ["mm", "px"])
+@pytest.mark.parametrize("format", ["net.svg", "views.svg", "worksheet.pdf", "scad", "build123d", "cadquery"])
+def test_faces_that_are_none_do_no_harm(ring, unit, format):
+    solid = facing([BOX[:1] + ring], unit=unit)
+    assert encode(solid, format)
+
+
 def test_several_solids_begin_on_sheets_of_their_own():
     document, _ = net_document([facing([BOX]), facing([L])])
     assert len(document.sheets) == 2
