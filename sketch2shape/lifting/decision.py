@@ -57,7 +57,7 @@ _GIVEN = 1.0
 _LEAN = 0.06
 
 #: log odds of a pyramid drawn with its base facing the viewer
-_FACING_BASE = -2.0
+_FACING_BASE = -4.0
 
 #: faces whose relation is this much less likely than the best cannot win by being regular, log odds
 _HOPELESS = 7.0

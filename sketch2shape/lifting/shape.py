@@ -52,6 +52,7 @@ class Shape:
     bent      : how the points of `flat` belong together where some edges are arcs
     arcs      : what its curved edges are in the true face, once they are made exact
     pointed   : does it come to a point? That lies over the middle of the face
+    tip       : (2,) how far off the middle the point stands, in the face's plane; None for over it
     """
 
     family: Literal["oblique", "axonometric", "perspective"]
@@ -72,6 +73,7 @@ class Shape:
     bent: Bent | None = None
     arcs: tuple[FlatArc, ...] = ()
     pointed: bool = False
+    tip: Floats | None = None
 
     @cached_property
     def to_drawing(self) -> Floats:
@@ -104,7 +106,8 @@ class Shape:
     def vertices(self) -> Floats:
         """(2m, 3) in the object's order: front face, then back face; (m + 1, 3) if it comes to a point."""
         flat, middle = self.flat[: sum(self.sizes)], self.middle
-        back = middle[None] if self.pointed else middle + self.taper * (flat - middle)
+        point = middle if self.tip is None else middle + self.tip
+        back = point[None] if self.pointed else middle + self.taper * (flat - middle)
         plane, normal = self.pose[:2], self.pose[2]
         own = np.concatenate([flat @ plane, back @ plane + self.depth * normal]) + self.origin
         if self.order is None:

@@ -61,3 +61,20 @@ def test_a_pyramid_seen_from_its_point_gets_a_height_and_a_warning():
     assert any("over the middle of its base" in warning for warning in solid.warnings)
     assert solid.volume > 0
     assert shape_name(solid) == "square pyramid"
+
+
+@pytest.mark.parametrize("corner", range(4))
+def test_the_point_may_stand_over_a_corner(corner):
+    apex = BASE[corner] + [0.5, -200.0]
+    solid = lift(TwoFaceObject(BASE, [apex], noise=1.0))
+    assert solid.dimensions == pytest.approx((200, 200, 2 * np.hypot(70, 70)), rel=0.01)
+    assert solid.vertices[-1, :2] == pytest.approx(solid.vertices[corner, :2])
+    seen = np.c_[solid.vertices, np.ones(5)] @ solid.camera.T
+    assert seen[:, :2] == pytest.approx(np.vstack([BASE, apex]), abs=1.0)
+    assert solid.volume == pytest.approx(np.prod(solid.dimensions) / 3, rel=1e-6)
+
+
+def test_or_over_the_middle_of_an_edge():
+    apex = BASE[:2].mean(axis=0) + [0, -200.0]
+    solid = lift(TwoFaceObject(BASE, [apex], noise=1.0))
+    assert solid.vertices[-1, :2] == pytest.approx(solid.vertices[:2, :2].mean(axis=0))
