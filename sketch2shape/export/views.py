@@ -104,10 +104,10 @@ def _placed(view: View, factor: float, corner: Floats) -> Iterator[Item]:
     for center, radius, turn, _ in view.circles:
         if turn < np.pi - 1e-3:
             continue
-        x, y = _at(center[None], factor, corner)[0]
-        reach = factor * radius + _OUT
-        yield Stroke("center", np.array([[x - reach, y], [x + reach, y]]))
-        yield Stroke("center", np.array([[x, y - reach], [x, y + reach]]))
+        low, high = np.maximum(center - radius, 0.0), np.minimum(center + radius, view.size)
+        (x, y), (left, lower), (right, upper) = _at(np.array([center, low, high]), factor, corner)
+        yield Stroke("center", np.array([[left - _OUT, y], [right + _OUT, y]]))
+        yield Stroke("center", np.array([[x, upper - _OUT], [x, lower + _OUT]]))
 
 
 def _at(points: Floats, factor: float, corner: Floats) -> Floats:
