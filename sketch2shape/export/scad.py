@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sketch2shape.export.parameters import Design, Path, Rounding, design_of, parameter_lines, plain_number
+from sketch2shape.export.parameters import Design, Path, Place, Rounding, design_of, parameter_lines, plain_number
 from sketch2shape.export.program_text import about, minus, wrapped
 from sketch2shape.model import Floats, Plane, Solid
 from sketch2shape.solids import extrusion_of, tessellated
@@ -30,7 +30,7 @@ def scad_text(solids: Sequence[Solid]) -> str:
         body.append("")
         body += _polyhedron(solid) if extrusion is None else _extruded(design_of(extrusion, ending), ending)
     arcs = any("arc(" in line for line in body)
-    if arcs or any("circle(" in line for line in body):
+    if arcs or any("circle(" in line or "cylinder(" in line for line in body):
         lines += ["", f"$fn = {_CHORDS};  // chords of a circle"]
     lines += ["", *_ARC.splitlines()] if arcs else []
     return "\n".join([*lines, *body]) + "\n"
@@ -38,26 +38,51 @@ def scad_text(solids: Sequence[Solid]) -> str:
 
 def _extruded(design: Design, ending: str) -> list[str]:
     """Dimensions, the outline, and the solid."""
-    lines = parameter_lines(design.parameters, "//", lambda p: f"{p.name} = {p.value};")
-    outer, *holes = design.outlines
-    lines += ["", f"module outline{ending}() {{"]
-    if holes:
-        lines += ["  difference() {", *_polygon(outer, 4)]
-        lines += [line for hole in holes for line in _polygon(hole, 4)]
-        lines += ["  }"]
+    lines = [*parameter_lines(design.parameters, "//", lambda p: f"{p.name} = {p.value};"), ""]
+    whole = design.outlines[0].circle
+    if whole is not None and len(design.outlines) == 1 and design.foot == whole[0]:
+        steps = [*_placed(design, design.foot_origin), _cylinder(design, whole[1])]
     else:
-        lines += _polygon(outer, 2)
-    place = design.origin if design.scale == "1" else design.foot_origin
+        lines += [*_outline(design, ending), ""]
+        steps = _swept(design, ending)
+    return [*lines, *("  " * k + step for k, step in enumerate(steps))]
+
+
+def _outline(design: Design, ending: str) -> list[str]:
+    """The module of the outline, its holes cut out."""
+    outer, *holes = design.outlines
+    if not holes:
+        return [f"module outline{ending}() {{", *_polygon(outer, 2), "}"]
+    cut = [line for hole in holes for line in _polygon(hole, 4)]
+    return [f"module outline{ending}() {{", "  difference() {", *_polygon(outer, 4), *cut, "  }", "}"]
+
+
+def _swept(design: Design, ending: str) -> list[str]:
+    """The outline drawn out, each step to be indented under the one before."""
+    if design.scale == "1":
+        drawn = [f"linear_extrude(height = {design.length})"]
+        return [*_placed(design, design.origin), *drawn, f"outline{ending}();"]
+    return [
+        *_placed(design, design.foot_origin),
+        f"linear_extrude(height = {design.length}, scale = {design.scale})",
+        f"translate([{minus(design.foot[0])}, {minus(design.foot[1])}])",
+        f"outline{ending}();",
+    ]
+
+
+def _cylinder(design: Design, diameter: str) -> str:
+    """A cylinder, a cone or a truncated cone."""
+    if design.scale == "1":
+        return f"cylinder(h = {design.length}, d = {diameter});"
+    far = "0" if design.scale == "0" else f"{design.scale} * {diameter}"
+    return f"cylinder(h = {design.length}, d1 = {diameter}, d2 = {far});"
+
+
+def _placed(design: Design, place: Place) -> list[str]:
+    """What moves and turns the solid to where it stands."""
     steps = [f"translate([{', '.join(place)}])"] if any(text != "0" for text in place) else []
     angles = [plain_number(angle, 6) for angle in turns(design.axes)]
-    steps += [f"rotate([{', '.join(angles)}])"] if any(text != "0" for text in angles) else []
-    if design.scale == "1":
-        steps.append(f"linear_extrude(height = {design.length})")
-    else:
-        steps.append(f"linear_extrude(height = {design.length}, scale = {design.scale})")
-        steps.append(f"translate([{minus(design.foot[0])}, {minus(design.foot[1])}])")
-    steps.append(f"outline{ending}();")
-    return [*lines, "}", "", *("  " * k + step for k, step in enumerate(steps))]
+    return [*steps, f"rotate([{', '.join(angles)}])"] if any(text != "0" for text in angles) else steps
 
 
 def _polygon(path: Path, indent: int) -> list[str]:
