@@ -22,6 +22,10 @@ CLAIM_AGAIN = 0.6
 """Way of a vertex, as a part of the reach, after which edges look for their ink anew."""
 SETTLED = 0.25
 """Pixels; no step follows one that moves no vertex by more."""
+BLUR, FINE = 1.0, 0.15
+"""Pixels by which vertices may miss a simpler plane map than the drawing's, and where lines are known exactly."""
+EXACT = 0.05
+"""Noise of lines, pixels, up to which they are known exactly: they came as vectors and were drawn by a ruler."""
 HOLD = 0.03
 """Weight that holds every vertex to where it started, so that the equations are always well posed."""
 
@@ -154,7 +158,7 @@ def _solve(v: Floats, start: Floats, edges: Ints, lines: EdgeLines, drawn: Bools
     b = np.empty(2 * k + 2 * m)
     b[: 2 * k] = np.tile(lines.weight * lines.offset, 2)
     # the back is the front under the map; a clean drawing tells a similarity from a homology, a rough one does not
-    limit = 1.0 + 2.0 * lines.noise if k else None
+    limit = (BLUR if lines.noise > EXACT else FINE) + 2.0 * lines.noise if k else None
     h = plane_map(v[:m], v[m:], drawn, limit)
     image, slope = homology.apply(h, v[:m]), _jacobian(h, v[:m])
     tied = 2 * k + np.arange(2 * m)

@@ -239,9 +239,14 @@ def _refined_of(attempt: Attempt) -> list[Found]:
         vertices += sum(rings.sizes)
         rings, evidence = _at_dashes(rings, evidence, sheet, traced)
         found.append(_refined(traced, rings, evidence, sheet))
-        if found[-1].noise < EXACT and found[-1].evidence.score > PERFECT:
+        if _is_exact(found[-1]):
             break
     return found
+
+
+def _is_exact(found: Found) -> bool:
+    """Whether all vertices lie on known lines, to a part of a pixel: nothing is left for another hypothesis to do."""
+    return found.noise < EXACT and found.evidence.score > PERFECT and bool(found.evidence.drawn.all())
 
 
 def _alike(a: Rings, b: Rings, near: float) -> bool:

@@ -10,7 +10,9 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, same_object
 from solid_lines import prism_lines, prism_strokes
 
 import sketch2shape as s2s
+from sketch2shape.model import VectorLine
 from sketch2shape.reading.sheet import picture_of
+from synthetic.drawing import pen_strokes
 
 CALM = settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
@@ -132,3 +134,10 @@ def test_the_clean_drawing_that_is_exported_is_read_again(lines, tmp_path):
     assert again.picture.size == (480, 400)
     assert same_object(again.objects[0], HEXAGON, HEXAGON + DEPTH, 1.0)
     assert again.objects[0].confidence > 0.9
+
+
+@pytest.mark.parametrize(("seed", "index"), [(11, 3), (51, 0)])
+def test_what_nobody_sees_follows_from_exact_lines_in_perspective(seed, index):
+    strokes, style, truth = pen_strokes("clean_removed_persp", seed, index)
+    result = s2s.reconstruct(picture_of([VectorLine(s.path) for s in strokes], page=style.size))
+    assert same_object(result.objects[0], np.array(truth["f1"]), np.array(truth["f2"]), 1.0)
