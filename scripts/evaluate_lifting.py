@@ -230,8 +230,8 @@ is the cosine of the slant, its shorter axis runs along the connecting edges.
    little, long ones nearly all, and in an oblique drawing circles of the front stay circles.
 3. **A point lies over the middle.** The apex of a pyramid or a cone stands over the centroid of its base; that gives
    the direction of the axis. A base of four sides is mostly a parallelogram in the drawing, and mostly a square or
-   another regular polygon in truth. A base with a level edge under a plumb height is drawn as textbooks do: it is a
-   rectangle that recedes.
+   another regular polygon in truth. A base with a level edge under a plumb height is drawn as textbooks do: it
+   is a rectangle that recedes, and the point may stand over a corner or the middle of an edge as well.
 4. **What is in front.** A round or pointed object that stands is seen from above, so its upper end is the nearer one;
    the base of a lying cone is the nearer end unless the apex is drawn lower.
 5. **Tidying.** Smooth joints, right angles, half and quarter turns become equations, then common centres and equal
