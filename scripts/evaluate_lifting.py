@@ -210,7 +210,7 @@ four-sided faces each of the three pairs of sides.
 
 `Solid.confidence` is the part of the likelihood in solids of these proportions, times how well the noise leaves them
 known. Its weights are fitted by `scripts/calibrate_lifting.py` on one half of drawings made there; on the other half
-98.4 % of the solids at 0.9 or more are what was meant. A depth that an oblique drawing leaves free does not count: it
+98.6 % of the solids at 0.9 or more are what was meant. A depth that an oblique drawing leaves free does not count: it
 is a stated default.
 
 What no wireframe tells: which of its two faces is in front (it is seen from above then); in an axonometric one of a

@@ -1,6 +1,7 @@
 """Shared by all tests: the committed drawings with their truth."""
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,14 @@ settings.register_profile("any machine", deadline=None, suppress_health_check=[H
 settings.load_profile("any machine")
 
 DRAWINGS = Path(__file__).parent.parent / "data" / "synthetic"
+
+
+def pytest_collection_modifyitems(items):
+    """Skip what needs pipes, permissions, descriptors or signals of a POSIX system where there are none."""
+    if os.name != "posix":
+        for item in items:
+            if item.get_closest_marker("posix"):
+                item.add_marker(pytest.mark.skip(reason="needs a POSIX system"))
 
 
 def pytest_generate_tests(metafunc):

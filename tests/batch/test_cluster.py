@@ -54,6 +54,7 @@ def here(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.posix
 def test_a_killed_worker_costs_nothing(here, scheduler):
     address, workers = scheduler
 

@@ -28,6 +28,7 @@ def outcomes(names, **options):
     return dict(run_each(names, stand_in.act, **options))
 
 
+@pytest.mark.posix
 def test_each_fault_fails_its_own_item_only():
     names = ["crash", "hang", "hog", "bug", "known", "suicide", *(f"good {i}" for i in range(20))]
     got = outcomes(names, jobs=2, timeout=10.0, max_memory=300 * 2**20)
@@ -42,6 +43,7 @@ def test_each_fault_fails_its_own_item_only():
     assert "ZeroDivisionError" in got["bug"].message
 
 
+@pytest.mark.posix
 def test_time_is_that_of_computing_and_by_the_clock_a_few_times_that():
     started = time.monotonic()
     got = outcomes(["hang", "wait", "good"], jobs=2, timeout=1.0)
@@ -140,6 +142,7 @@ def test_daemonic_workers_of_others_may_use_it(method):
         assert others.apply(_here, ([-1, -2],)) == {-1: 1, -2: 2}
 
 
+@pytest.mark.posix
 def test_a_forked_child_has_a_fork_server_of_its_own():
     assert _here([-1]) == {-1: 1}
     child = multiprocessing.get_context("fork").Process(target=_check_here)
@@ -168,6 +171,7 @@ def test_items_are_drawn_a_few_at_a_time():
     run.close()
 
 
+@pytest.mark.posix
 def test_a_pool_whose_workers_are_killed_is_made_anew(monkeypatch):
     def source():
         yield "good 0"
@@ -216,6 +220,7 @@ for _, pid in run_each(range(10**6), napping.nap, jobs=2, timeout=60): print(pid
 """
 
 
+@pytest.mark.posix
 def test_workers_end_with_a_parent_that_is_killed(tmp_path):
     (tmp_path / "napping.py").write_text("import os, time\ndef nap(_):\n    time.sleep(0.05)\n    return os.getpid()\n")
     script = tmp_path / "forever.py"

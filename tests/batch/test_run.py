@@ -55,6 +55,7 @@ def snapshot(folder):
     return found
 
 
+@pytest.mark.posix
 def test_faults_are_named_and_the_rest_is_done(here, capsys):
     for fault in ("crash", "hang", "hog", "bug", "blank"):
         picture(f"in/{fault}.png", 255 if fault == "blank" else 0)
@@ -214,6 +215,7 @@ def test_advice_is_given_once(here, capsys):
     assert sorted(line.rpartition("Try: ")[2][:8] for line in lines) == ["a drawin", "as above", "as above"]
 
 
+@pytest.mark.posix
 def test_names_that_are_no_utf8_everywhere(here):
     name = os.fsdecode(b"caf\xe9.png")
     picture(f"in/{name}")
@@ -243,6 +245,7 @@ def test_a_long_folder_takes_several_contact_sheets_and_replaces_none(here, monk
         ("mkdir gone; cd gone; rmdir ../gone", "No such file or directory"),
     ],
 )
+@pytest.mark.posix
 def test_machines_on_which_workers_cannot_be_started_as_usual(machine, cause, drawings, tmp_path):
     pictures = " ".join(shlex.quote(str(drawings / kind / "000.png")) for kind in _KINDS[:2])
     command = f"{machine} && {shlex.quote(sys.executable)} -m sketch2shape {pictures} -o {tmp_path}/out --jobs 1"
@@ -269,8 +272,10 @@ sys.exit(run(parse(sys.argv[1:]), stand_in.work))
 """
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
-def test_a_stopped_batch_goes_on_to_the_same_bytes(here, number):
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGKILL"])
+@pytest.mark.posix
+def test_a_stopped_batch_goes_on_to_the_same_bytes(here, name):
+    number = getattr(signal, name)
     picture("in/gate.png")
     (here / "open").touch()
     assert command("in", "-o", "whole") == 0

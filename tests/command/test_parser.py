@@ -116,6 +116,7 @@ def test_a_confidence_is_between_0_and_1(value):
         ("w.png -o w.obj 2>/dev/full", 0),
     ],
 )
+@pytest.mark.posix
 def test_closed_streams_change_neither_the_work_nor_the_exit_code(words, code, drawings, tmp_path):
     picture = (drawings / "clean_wire_oblique" / "000.png").read_bytes()
     (tmp_path / "two").mkdir()
@@ -176,6 +177,7 @@ def test_an_unforeseen_error_is_one_line_and_exit_1(monkeypatch, capsys):
         main(["a.png", "--debug"])
 
 
+@pytest.mark.posix
 def test_interrupted(monkeypatch, capsys):
     def stop(*_):
         raise KeyboardInterrupt

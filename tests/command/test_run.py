@@ -89,6 +89,7 @@ def test_a_picture_is_of_the_format_that_its_name_promises(here, picture):
         command("a.png", "-o", "b.obj", f"--{picture}", "c.jpg")
 
 
+@pytest.mark.posix
 def test_streams_as_outputs(here):
     assert command("a.png", "-o", "/dev/null") == 0
     assert command("a.png", "-o", "/dev/null", "--overwrite", "--format", "stl") == 0

@@ -193,6 +193,7 @@ def test_impossible_names(path):
         read_picture(path)
 
 
+@pytest.mark.posix
 def test_things_that_are_no_regular_files_are_refused_unread(tmp_path):
     os.mkfifo(tmp_path / "pipe.png")
     (tmp_path / "folder.png").mkdir()

@@ -34,6 +34,7 @@ def test_nothing_is_overwritten_unless_asked(tmp_path):
     assert os.listdir(tmp_path) == ["a.obj"]
 
 
+@pytest.mark.posix
 def test_a_link_that_leads_nowhere_is_not_written_through(tmp_path):
     (tmp_path / "a.obj").symlink_to("elsewhere")
     with pytest.raises(WriteError, match="exists already"):
@@ -72,6 +73,7 @@ def test_impossible_targets(tmp_path):
             write_file(target, b"1")
 
 
+@pytest.mark.posix
 def test_permissions_follow_the_umask(tmp_path):
     before = os.umask(0o027)
     try:
@@ -82,6 +84,7 @@ def test_permissions_follow_the_umask(tmp_path):
 
 
 @pytest.mark.parametrize("mode", [0o600, 0o640, 0o666, 0o444, 0o755])
+@pytest.mark.posix
 def test_a_replaced_file_hands_its_permissions_on(tmp_path, mode):
     path = tmp_path / "a"
     path.write_bytes(b"old")
@@ -90,6 +93,7 @@ def test_a_replaced_file_hands_its_permissions_on(tmp_path, mode):
     assert (path.read_bytes(), path.stat().st_mode & 0o7777) == (b"new", mode)
 
 
+@pytest.mark.posix
 def test_and_its_owner_where_the_system_allows_it(tmp_path, monkeypatch):
     asked = []
     monkeypatch.setattr(os, "chown", lambda _, *who: asked.append(who))
@@ -99,6 +103,7 @@ def test_and_its_owner_where_the_system_allows_it(tmp_path, monkeypatch):
     assert asked == [(status.st_uid, status.st_gid)]
 
 
+@pytest.mark.posix
 def test_no_one_else_may_read_a_private_file_while_it_is_written(tmp_path, monkeypatch):
     (tmp_path / "a").write_bytes(b"old")
     (tmp_path / "a").chmod(0o600)
@@ -117,6 +122,7 @@ def test_the_umask_of_the_process_is_never_touched(tmp_path, monkeypatch):
     write_file(tmp_path / "a", b"2", overwrite=True)
 
 
+@pytest.mark.posix
 def test_a_link_is_followed_and_stays(tmp_path):
     (tmp_path / "far").mkdir()
     (tmp_path / "far" / "real").write_bytes(b"old")
@@ -129,6 +135,7 @@ def test_a_link_is_followed_and_stays(tmp_path):
     assert (tmp_path / "far" / "real").read_bytes() == b"new"
 
 
+@pytest.mark.posix
 def test_links_in_a_circle_are_refused(tmp_path):
     (tmp_path / "a").symlink_to("b")
     (tmp_path / "b").symlink_to("a")
@@ -147,6 +154,7 @@ time.sleep(60)
 """
 
 
+@pytest.mark.posix
 def test_sweep_removes_what_a_killed_process_left_and_nothing_in_use(tmp_path):
     (tmp_path / "mine.tmp").write_text("not ours")
     with subprocess.Popen([sys.executable, "-c", _HOLD, str(tmp_path)], stdout=subprocess.PIPE) as process:
@@ -181,6 +189,7 @@ def test_a_reader_that_went_away_is_no_error():
     write_stdout(b"x", _Pipe(BrokenPipeError()))
 
 
+@pytest.mark.posix
 def test_a_full_device_behind_stdout_is():
     with pytest.raises(WriteError, match="No space"):
         write_stdout(b"x", _Pipe(OSError(errno.ENOSPC, "No space left on device")))
@@ -200,6 +209,7 @@ def test_without_a_lock_module_files_are_written_all_the_same(tmp_path, monkeypa
     assert fresh.exists()
 
 
+@pytest.mark.posix
 def test_a_pipe_is_no_leftover(tmp_path):
     os.mkfifo(tmp_path / ".sketch2shape-1.tmp")
     assert sweep(tmp_path) == 0

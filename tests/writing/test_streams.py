@@ -15,6 +15,7 @@ from sketch2shape.writing import streams as streams_module
 
 
 @pytest.mark.parametrize("overwrite", [False, True])
+@pytest.mark.posix
 def test_a_named_pipe_is_written_into(tmp_path, overwrite):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
@@ -27,6 +28,7 @@ def test_a_named_pipe_is_written_into(tmp_path, overwrite):
     assert stat.S_ISFIFO(pipe.stat().st_mode)
 
 
+@pytest.mark.posix
 def test_a_device_stays_a_device():
     write_file("/dev/null", b"1", overwrite=True)
     assert stat.S_ISCHR(os.stat("/dev/null").st_mode)
@@ -35,6 +37,7 @@ def test_a_device_stays_a_device():
             write_file("/dev/full", b"1")
 
 
+@pytest.mark.posix
 def test_an_open_descriptor_is_written_on_from_where_it_stands(tmp_path):
     with open(tmp_path / "a", "wb") as file:
         file.write(b"before ")
@@ -43,11 +46,13 @@ def test_an_open_descriptor_is_written_on_from_where_it_stands(tmp_path):
     assert (tmp_path / "a").read_bytes() == b"before after"
 
 
+@pytest.mark.posix
 def test_a_closed_descriptor_is_named(tmp_path):
     with pytest.raises(WriteError, match="/dev/fd/999"):
         write_file("/dev/fd/999", b"1")
 
 
+@pytest.mark.posix
 def test_a_reader_that_went_away_is_no_error():
     read, write = os.pipe()
     os.close(read)
@@ -55,6 +60,7 @@ def test_a_reader_that_went_away_is_no_error():
     os.close(write)
 
 
+@pytest.mark.posix
 def test_a_disk_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(streams_module.stat, "S_ISBLK", lambda _: True)
     with pytest.raises(WriteError, match="is a disk"):
