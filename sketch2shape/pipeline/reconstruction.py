@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,7 +39,6 @@ def reconstruct(
     lift: LiftOptions | Mapping[str, Any] | None = None,
     corrections: Corrections | Mapping[str, Any] | None = None,
     min_confidence: float = 0.0,
-    effort: Literal["full", "quick"] = "full",
 ) -> Result:
     """The solid shown in a drawing.
 
@@ -52,7 +51,6 @@ def reconstruct(
     lift        : how to read the third dimension: `LiftOptions`, or its fields by name
     corrections : what a person put right by hand, or the JSON of their file; complete ones replace the reading
     min_confidence : objects that are less sure are left out, 0..1
-    effort      : "quick" takes the first attempt's answer, a tenth of the computing: for previews while somebody draws
 
     Raises UsageError for an unknown option, connector or detector, UnreadableError, LimitError, or NoObjectError if no
     two-face object is found with enough confidence; its `guess` is the best answer there was.
@@ -66,8 +64,6 @@ def reconstruct(
     if (source is None) == (strokes is None):
         raise UsageError("a source or strokes, one of them", remedy="reconstruct('drawing.png') or strokes=[...]")
     check_connector(connector)
-    if effort not in ("full", "quick"):
-        raise UsageError(f"effort is {effort!r}", remedy='effort="full" or effort="quick"')
     if detector != "auto":
         detector = detector_named(detector)
     min_confidence = checked_number("min_confidence", min_confidence, 0.0, 1.0)
@@ -81,9 +77,7 @@ def reconstruct(
     with _timed(timings, "ink"):
         ink = find_ink(picture)
     with _timed(timings, "faces"):
-        objects = tuple(
-            choose_front(_as_object(f, ink, connector, detector)) for f in find_all(ink, quick=effort == "quick")
-        )
+        objects = tuple(choose_front(_as_object(f, ink, connector, detector)) for f in find_all(ink))
     sure = tuple(o for o in objects if o.confidence >= REFUSE_BELOW)
     if not sure:
         raise _why_not(objects, ink, picture)

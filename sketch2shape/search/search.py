@@ -7,9 +7,8 @@ The search ends when no other could save as much as it would cost, or when more 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from itertools import islice
 
 import numpy as np
 
@@ -34,7 +33,7 @@ from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import Floats, Ink
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
 from sketch2shape.search.tolerances import Traced, is_wireframe
-from sketch2shape.strokes import Skeleton, bridged, thin
+from sketch2shape.strokes import bridged, thin
 
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
@@ -97,11 +96,8 @@ class Found:
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
 
 
-def find_all(ink: Ink, *, quick: bool = False) -> list[Found]:
-    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels.
-
-    quick : take what the first attempt gives, as while somebody is still drawing
-    """
+def find_all(ink: Ink) -> list[Found]:
+    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
     found: list[Found] = []
     vain = 0
     for group in split_groups(ink):
@@ -109,7 +105,7 @@ def find_all(ink: Ink, *, quick: bool = False) -> list[Found]:
             break
         if vain >= MOST_VAIN:
             break
-        best = find(group, quick=quick)
+        best = find(group)
         vain += best is None or best.confidence < REFUSE_BELOW
         if best is not None and (best.confidence >= REFUSE_BELOW or not found):
             found.append(replace(best, rings=best.rings.shifted(group.offset)))
@@ -119,8 +115,8 @@ def find_all(ink: Ink, *, quick: bool = False) -> list[Found]:
     return found
 
 
-def find(group: Group, *, quick: bool = False) -> Found | None:
-    """The best hypothesis for the ink of one object, or None; quick: of the first attempt."""
+def find(group: Group) -> Found | None:
+    """The best hypothesis for the ink of one object, or None."""
     skeleton = thin(group.ink)
     if len(skeleton.points) < 30 or len(skeleton.paths) > MOST_PATHS:
         return None
@@ -130,7 +126,7 @@ def find(group: Group, *, quick: bool = False) -> Found | None:
         skeleton = thin(group.ink)
     view = observe(group, skeleton)
     best: Found | None = None
-    for look in (_first,) if quick else (attempts, second_attempts):
+    for look in (attempts, second_attempts):
         best = _searched(look(group, skeleton), view, best)
         if best is not None and _leaves_nothing(best):
             break
@@ -138,10 +134,6 @@ def find(group: Group, *, quick: bool = False) -> Found | None:
         return None
     seen = witnesses(best.rings, best.energy, best.compared, best.evidence, best.gap)
     return replace(best, witnesses=seen, confidence=confidence(seen))
-
-
-def _first(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
-    return islice(attempts(group, skeleton), 1)
 
 
 def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from base64 import b64decode
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -60,7 +60,7 @@ def reconstruct_sketch(data: Any) -> dict[str, Any]:
     from sketch2shape.reading.pen_strokes import from_json
 
     picture = from_json({"strokes": data.get("strokes")}, "sketch")
-    found, problem = _found(picture, "quick" if data.get("quick") is True else "full")
+    found, problem = _found(picture)
     objects = tuple(_on_sheet(obj, picture) for obj in found.objects)
     solids = tuple(replace(lift(obj), confidence=s.confidence) for obj, s in zip(objects, found.solids, strict=True))
     if problem and picture.drawing:
@@ -69,14 +69,14 @@ def reconstruct_sketch(data: Any) -> dict[str, Any]:
     return {**described(Answer(objects, solids, picture)), "problem": problem}
 
 
-def _found(picture: Picture, effort: Literal["full", "quick"] = "full") -> tuple[Answer, dict[str, Any] | None]:
+def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:
     """The answer; or the best guess, why it is none, and the strokes that it leaves out."""
     from sketch2shape.evidence import unexplained_strokes
     from sketch2shape.ink import find_ink
     from sketch2shape.pipeline import reconstruct
 
     try:
-        return reconstruct(picture, effort=effort), None
+        return reconstruct(picture), None
     except NoObjectError as error:
         guess = error.guess or Answer((), (), picture)
         left = (

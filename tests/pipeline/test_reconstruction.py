@@ -257,16 +257,3 @@ def test_an_isometric_cube_becomes_a_cube_on_the_table(tmp_path):
     mesh = trimesh.load(tmp_path / "cube.stl")
     assert np.ptp(mesh.vertices, axis=0) == pytest.approx(40.0, rel=1e-3)
     assert mesh.vertices[:, 2].min() == pytest.approx(0.0, abs=1e-4)
-
-
-def test_a_quick_answer_to_clean_lines_is_the_whole_one():
-    ring = [(0.0, 60.0), (120.0, 60.0), (120.0, 160.0), (0.0, 160.0)]
-    back = [(x + 70.0, y - 50.0) for x, y in ring]
-    sides = [[f[i], f[(i + 1) % 4]] for f in (ring, back) for i in range(4)]
-    lines = sides + [list(pair) for pair in zip(ring, back, strict=True)]
-    whole, quick = (s2s.reconstruct(strokes=lines, effort=effort) for effort in ("full", "quick"))
-    assert quick.objects[0].vertices == pytest.approx(whole.objects[0].vertices)
-    with pytest.raises(s2s.NoObjectError):
-        s2s.reconstruct(strokes=lines[:6], effort="quick")
-    with pytest.raises(s2s.UsageError):
-        s2s.reconstruct(strokes=lines, effort="little")

@@ -54,14 +54,6 @@ def test_strokes_become_a_solid_in_their_own_coordinates(app: TestClient) -> Non
     assert len(found["facts"][0]["size"]) == 3
 
 
-def test_a_first_look_at_strokes_is_quick(app: TestClient) -> None:
-    pairs = [(a, (a + 1) % 4) for a in range(4)]
-    lines = [[p[a], p[b]] for p in (FRONT, BACK) for a, b in pairs] + [[f, b] for f, b in zip(FRONT, BACK, strict=True)]
-    found = app.post("/api/sketch", json={"strokes": [{"points": line} for line in lines], "quick": True}).json()
-    assert found["problem"] is None
-    assert len(found["objects"][0]["f1"]) == 4
-
-
 def test_strokes_that_show_no_solid_give_the_best_guess_or_nothing(app: TestClient) -> None:
     line = {"points": [[0, 0], [100, 0]]}
     found = app.post("/api/sketch", json={"strokes": [line]}).json()

@@ -21,7 +21,7 @@ const FEWEST = 5;
 /* ms: a wait worth a sign, a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
 const SOON = 300, LONG = 1200, PAUSE = 350;
 /* ms without a new stroke after which a drawing with loose ends is searched as a whole */
-const REST = 500;
+const REST = 400;
 const SURE = 0.9;
 
 /* all that undo travels through: the sheet in view, strokes, objects, loose vertices; why the objects are only a guess ("" if
@@ -145,8 +145,8 @@ function startSketch(strokes = [], wishes = []) {
   $("pad").focus({ preventScroll: true });
 }
 
-/* the solid follows the strokes: a first look at once; the whole search when that is not sure, and not before the pen rests
-   while ends are loose. One request at a time, the latest strokes last */
+/* the solid follows the strokes: at once where all ends meet; while some are loose, which takes the longest to search, only
+   once the pen rests. One request at a time, the latest strokes last */
 let asking = false, wished = [], lastStroke = 0;
 async function live(since) {
   lastStroke = since;
@@ -176,18 +176,12 @@ function nothingYet(strokes) {
 }
 
 async function look(strokes) {
-  let told = false;
-  const show = async found => {
-    if (strokes !== state.strokes) return;
-    await showLive(found);
-    if (!told) timings.sketch.push(performance.now() - lastStroke);
-    told = true;
-  };
-  const first = await server.sketch(strokes, true), sure = first.problem ? 0 : Math.min(...first.objects.map(o => o.confidence));
-  if (sure > 0) await show(first);
-  if (sure >= SURE || strokes !== state.strokes) return;
   if (marks.loose.length) await rest(strokes);
-  if (strokes === state.strokes) await show(await server.sketch(strokes, false));
+  if (strokes !== state.strokes) return;
+  const found = await server.sketch(strokes);
+  if (strokes !== state.strokes) return;
+  await showLive(found);
+  timings.sketch.push(performance.now() - lastStroke);
 }
 
 /* until the pen has rested, or has drawn on */

@@ -26,8 +26,7 @@ export async function reconstruct(blob, name, page = 0) {
   return (await ask("/api/reconstruct", { method: "POST", headers, body: blob })).json();
 }
 
-/* quick: what a first look gives */
-export async function sketch(strokes, quick) { return (await post("/api/sketch", { strokes, quick })).json(); }
+export async function sketch(strokes) { return (await post("/api/sketch", { strokes })).json(); }
 
 export async function lift(corrections) { return (await post("/api/lift", corrections)).json(); }
 
