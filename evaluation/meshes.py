@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import trimesh
 from PIL import Image
+from scipy.optimize import linear_sum_assignment
 from scipy.spatial import cKDTree
 
 from evaluation import metrics
@@ -27,6 +28,8 @@ ENOUGH = 99
 """Percentage of the samples that must be near."""
 AREA = 0.04
 """Largest relative difference of the surface areas."""
+SHARP = 0.2
+"""Least angle of a sharp edge, radians: the facets of a rounding turn by less."""
 DOT = 2.0
 """Radius of the dots that the drawings of CAD parts have at their vertices, pixels."""
 INK = 128
@@ -102,6 +105,24 @@ def true_mesh(file: Path, picture: Path) -> Mesh:
     middle = (vertices[:, :2].min(0) + vertices[:, :2].max(0)) / 2
     vertices[:, :2] += [(x.min() + x.max()) / 2, (y.min() + y.max()) / 2] - middle
     return trimesh.Trimesh(vertices, mesh.faces, process=False)
+
+
+def corners(truth: Mesh) -> Floats:
+    """(k, 2) pixels, where three or more sharp edges of a true mesh meet (see `true_mesh`)."""
+    whole = trimesh.Trimesh(truth.vertices, truth.faces)
+    sharp = whole.face_adjacency_edges[whole.face_adjacency_angles > SHARP]
+    met = np.bincount(sharp.ravel(), minlength=len(whole.vertices)) >= 3
+    return np.asarray(whole.vertices[met, :2], float)
+
+
+def has_corners(points: Floats, corners: Floats) -> bool:
+    """Whether points (k, 2) lie one to one at these corners (k, 2), pixels, as near as meshes have to."""
+    if len(points) != len(corners):
+        return False
+    apart = np.linalg.norm(points[:, None] - corners, axis=2)
+    near = NEAR * float(np.ptp(corners, axis=0).max()) + NEAR_PIXELS
+    one, other = linear_sum_assignment(apart)
+    return bool(apart[one, other].max(initial=0.0) <= near)
 
 
 def difference(mesh: Mesh | None, truth: Mesh) -> str:

@@ -14,7 +14,7 @@ import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # two worker processes, a core each
 
@@ -23,16 +23,18 @@ from numpy.typing import NDArray
 from repository import ROOT
 from scipy.optimize import minimize
 
-from evaluation import curves, metrics
+from evaluation import curves, meshes, metrics
 from evaluation.cases import Case, Wanted, collect
 from evaluation.markdown import percent, table
 from evaluation.measure import in_processes
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.evidence import WITNESSES, confidence
-from sketch2shape.evidence.calibration import Weights, standardised
+from sketch2shape.evidence.calibration import Weights, terms
 
 WEIGHTS = ROOT / "sketch2shape" / "evidence" / "weights.py"
-SETS = ("fresh", "hard", "real", "real2", "refuse")
+SETS = ("fresh", "hard", "real", "real2", "refuse", "curved", "abc")
+STRAIGHT = "straight_two_face"
+"""Of the CAD parts, whose truth is a mesh, those of which the corners tell whether the drawing has been read."""
 RIDGE = 2.0
 """Penalty on the square of a weight: that of two answers that contradict it."""
 
@@ -51,7 +53,7 @@ def main() -> None:
     args = _arguments()
     with tempfile.TemporaryDirectory() as scratch:
         wanted = Wanted(args.bench, Path(scratch), seed=args.seed, per_category=args.per_category)
-        cases = [c for c in collect(args.sets, wanted) if c.truth.get("objects", ()) is not None]
+        cases = [c for c in collect(args.sets, wanted) if _is_judged(c)]
         given = in_processes(_answers, [(case,) for case in cases], args.jobs, args.seconds)
     answers = [a for some in given if not isinstance(some, Exception) for a in some]
     weights = Weights()
@@ -60,6 +62,12 @@ def main() -> None:
         WEIGHTS.write_text(_module(weights))
         print(f"wrote {WEIGHTS.relative_to(ROOT)}")
     print(report(answers, weights))
+
+
+def _is_judged(case: Case) -> bool:
+    """Whether a program can tell if the reading of a drawing is right."""
+    by_mesh = "mesh" in case.truth and case.truth["category"] != STRAIGHT
+    return case.truth.get("objects", ()) is not None and not by_mesh
 
 
 def _answers(case: Case) -> list[Answer]:
@@ -76,10 +84,13 @@ def _answers(case: Case) -> list[Answer]:
     return [Answer(case, seen, _is_right(case, obj)) for seen, obj in found if seen is not None]
 
 
-def _is_right(case: Case, obj: object) -> bool:
+def _is_right(case: Case, obj: Any) -> bool:
     truth = case.truth
     if curves.has_curves(truth):
         return False
+    if "mesh" in truth:
+        corners = meshes.corners(meshes.true_mesh(Path(truth["mesh"]), Path(case.picture)))
+        return meshes.has_corners(np.asarray(obj.vertices), corners)
     answer = {k: np.asarray(getattr(obj, k)).tolist() for k in ("f1", "f2")}
     answer["holes"] = [{"f1": h.f1.tolist(), "f2": h.f2.tolist()} for h in getattr(obj, "holes", ())]
     shared = {k: v for k, v in truth.items() if k != "objects"}
@@ -91,7 +102,7 @@ def fit(answers: Sequence[Answer]) -> Weights:
     x = np.nan_to_num(np.array([a.witnesses for a in answers]))
     right = np.array([a.right for a in answers], float)
     flat = Weights(tuple(x.mean(axis=0)), tuple(np.maximum(x.std(axis=0), 1e-6)))
-    z = np.column_stack([standardised(x, flat), np.ones(len(x))])
+    z = np.column_stack([terms(x, flat), np.ones(len(x))])
 
     def loss(w: Floats) -> tuple[float, Floats]:
         t = z @ w
@@ -107,7 +118,8 @@ def fit(answers: Sequence[Answer]) -> Weights:
 def _module(weights: Weights) -> str:
     lines = ['"""Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."""', ""]
     for name, values in zip(("CENTRE", "SPREAD", "WEIGHT"), weights[:3], strict=True):
-        named = (f"    {v},  # {w}" for v, w in zip(values, WITNESSES, strict=True))
+        names = WITNESSES if len(values) == len(WITNESSES) else ("whole", *WITNESSES)
+        named = (f"    {v},  # {w}" for v, w in zip(values, names, strict=True))
         lines += [f"{name} = (", *named, ")"]
     return "\n".join([*lines, f"BIAS = {weights.bias}"]) + "\n"
 

@@ -13,36 +13,41 @@ from sketch2shape.evidence.score import Evidence
 from sketch2shape.evidence.view import View
 from sketch2shape.hypotheses import Rings, frame
 from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.strokes import join_ends, trace_skeleton
 
 WITNESSES = (
     "unexplained",
     "attached",
     "closed",
-    "missing",
+    "loose",
     "weakest",
     "noise",
-    "gap",
     "vertices",
     "unseen",
-    "bow",
+    "bend",
     "flat",
     "shallow",
     "small",
     "doubled",
-    "holes",
     "map",
 )
 """Names of the witnesses, in order."""
 TOUCHING = 0.03
 """Fraction of the drawing's size up to which a path touches the object."""
 MOSTLY = 0.5
-"""Fraction of a path that is unexplained from which on all of it is foreign."""
+"""Fraction of a line that is unexplained from which on all of it is foreign."""
+LEAST_LINE = 0.04
+"""Length of a line, as a fraction of the drawing's size, below which it is a letter's or an arrow's."""
+LEAST_TOLERANCE, TOLERANCE = 1.5, 0.006
+"""Pixels that a line which the object lacks may stray, at least, and as a fraction of the drawing's size."""
 ONE_WAY, SHORT = 0.1, 0.05
 """Radians between edges of one direction, and length of an edge over the longest below which it has none."""
 LEAST_POINTS = 8
 """Points of ink from which the bow of an edge can be told."""
 BESIDE = 0.35
 """Pens between two edges drawn along each other."""
+BLUR, PEN_BOW = 0.5, 0.1
+"""Pixels, and pens more, by which the ink of a straight edge may seem to bow."""
 HALF_SEEN = 0.5
 """Fraction of an edge that is seen from which on another edge may lie along it."""
 SPANNED = 0.05
@@ -51,11 +56,8 @@ PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
 """Where on an edge it is looked at."""
 
 
-def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence, gap: float) -> Floats:
-    """(w,) float, see `WITNESSES`.
-
-    gap : nats to the best hypothesis that is another object
-    """
+def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence) -> Floats:
+    """(w,) float, see `WITNESSES`."""
     view = compared.view
     v, edges = rings.vertices, frame(rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
@@ -72,18 +74,16 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
             float(view.length[left].sum()) / ink,
             _attached(view, left, distance, size) / ink,
             _closed(view, left) / size,
-            np.log1p(energy.missing),
+            np.log1p(_loose(view, a, span, reach)) if left.any() else 0.0,
             1.0 - evidence.weakest,
             np.log(energy.noise / (0.4 + 0.05 * view.pen)),
-            np.log1p(max(gap, 0.0)),
             np.log(m),
             1.0 - float(evidence.drawn.mean()),
-            _bow(view, ~left, edge, a, span / length[:, None], length) / (energy.noise + 0.3),
+            _bend(view, ~left, edge, a, span / length[:, None], length),
             float(_directions(span, length) <= 2),
             np.log(depth / (view.pen + 2 * energy.noise)),
             np.log(size / view.pen),
             _doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
-            float(len(rings.sizes) - 1),
             energy.shape / energy.vertex / m,
         ]
     )
@@ -111,8 +111,23 @@ def _closed(view: View, left: Bools) -> float:
     return float(np.sqrt(max(areas, default=0.0)))
 
 
-def _bow(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floats) -> float:
-    """By how much the ink of edges bows to one side, rms over the edges, pixels."""
+def _loose(view: View, a: Floats, span: Floats, reach: float) -> int:
+    """Corners off the object where lines meet that it lacks: what else could be a part of something."""
+    strokes = trace_skeleton(view.skeleton, max(LEAST_TOLERANCE, TOLERANCE * view.size))
+    if not len(strokes.ends):
+        return 0
+    ends, way = strokes.ends[:, :1], strokes.ends[:, 1:] - strokes.ends[:, :1]
+    off, _ = nearest_edges((ends + PLACES * way).reshape(-1, 2), a, span)
+    foreign = (off.reshape(len(ends), -1) > reach).mean(axis=1) > MOSTLY
+    foreign &= strokes.lengths > LEAST_LINE * view.size
+    corners = join_ends(strokes, view.pen)
+    meeting = np.bincount(corners.strokes[foreign].ravel(), minlength=len(corners.points)) >= 2
+    away, _ = nearest_edges(corners.points, a, span)
+    return int(np.count_nonzero(meeting & (away > reach + view.pen)))
+
+
+def _bend(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floats) -> float:
+    """The most that the ink of an edge bows to one side, as a fraction of the edge: arcs taken for chords."""
     p, e = view.points[mine], edge[mine]
     to = p - a[e]
     t = (to * u[e]).sum(axis=1) / length[e]
@@ -123,7 +138,8 @@ def _bow(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floa
     cov, var = np.bincount(e, (shape - ms[e]) * (off - mo[e]), len(a)), np.bincount(e, (shape - ms[e]) ** 2, len(a))
     # ink along a part of an edge says nothing of how the whole bows
     some = (n >= LEAST_POINTS) & (var >= SPANNED * n)
-    return float(np.sqrt(np.mean((cov[some] / var[some]) ** 2))) if some.any() else 0.0
+    bow = np.maximum(np.abs(cov[some] / var[some]) - BLUR - PEN_BOW * view.pen, 0.0)
+    return float((bow / length[some]).max(initial=0.0))
 
 
 def _directions(span: Floats, length: Floats) -> int:

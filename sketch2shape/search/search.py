@@ -132,7 +132,7 @@ def find(group: Group) -> Found | None:
             break
     if best is None or best.energy is None or best.compared is None:
         return None
-    seen = witnesses(best.rings, best.energy, best.compared, best.evidence, best.gap)
+    seen = witnesses(best.rings, best.energy, best.compared, best.evidence)
     return replace(best, witnesses=seen, confidence=confidence(seen))
 
 
