@@ -28,8 +28,9 @@ ENOUGH = 99
 """Percentage of the samples that must be near."""
 AREA = 0.04
 """Largest relative difference of the surface areas."""
-SHARP = 0.2
-"""Least angle of a sharp edge, radians: the facets of a rounding turn by less."""
+FLAT, SHARP = 0.01, 0.2
+"""Greatest angle between the triangles of one plane, and least of a sharp edge, radians: facets of a rounding turn by
+one between."""
 DOT = 2.0
 """Radius of the dots that the drawings of CAD parts have at their vertices, pixels."""
 INK = 128
@@ -108,9 +109,12 @@ def true_mesh(file: Path, picture: Path) -> Mesh:
 
 
 def corners(truth: Mesh) -> Floats:
-    """(k, 2) pixels, where three or more sharp edges of a true mesh meet (see `true_mesh`)."""
+    """(k, 2) pixels, where three or more sharp edges of a true mesh meet (see `true_mesh`); none if a side is round."""
     whole = trimesh.Trimesh(truth.vertices, truth.faces)
-    sharp = whole.face_adjacency_edges[whole.face_adjacency_angles > SHARP]
+    angles = whole.face_adjacency_angles
+    if ((angles > FLAT) & (angles < SHARP)).any():
+        return np.zeros((0, 2))
+    sharp = whole.face_adjacency_edges[angles > SHARP]
     met = np.bincount(sharp.ravel(), minlength=len(whole.vertices)) >= 3
     return np.asarray(whole.vertices[met, :2], float)
 

@@ -33,8 +33,6 @@ from sketch2shape.evidence.calibration import Weights, terms
 
 WEIGHTS = ROOT / "sketch2shape" / "evidence" / "weights.py"
 SETS = ("fresh", "hard", "real", "real2", "refuse", "curved", "abc")
-STRAIGHT = "straight_two_face"
-"""Of the CAD parts, whose truth is a mesh, those of which the corners tell whether the drawing has been read."""
 RIDGE = 2.0
 """Penalty on the square of a weight: that of two answers that contradict it."""
 
@@ -53,7 +51,7 @@ def main() -> None:
     args = _arguments()
     with tempfile.TemporaryDirectory() as scratch:
         wanted = Wanted(args.bench, Path(scratch), seed=args.seed, per_category=args.per_category)
-        cases = [c for c in collect(args.sets, wanted) if _is_judged(c)]
+        cases = [c for c in collect(args.sets, wanted) if c.truth.get("objects", ()) is not None]
         given = in_processes(_answers, [(case,) for case in cases], args.jobs, args.seconds)
     answers = [a for some in given if not isinstance(some, Exception) for a in some]
     weights = Weights()
@@ -62,12 +60,6 @@ def main() -> None:
         WEIGHTS.write_text(_module(weights))
         print(f"wrote {WEIGHTS.relative_to(ROOT)}")
     print(report(answers, weights))
-
-
-def _is_judged(case: Case) -> bool:
-    """Whether a program can tell if the reading of a drawing is right."""
-    by_mesh = "mesh" in case.truth and case.truth["category"] != STRAIGHT
-    return case.truth.get("objects", ()) is not None and not by_mesh
 
 
 def _answers(case: Case) -> list[Answer]:

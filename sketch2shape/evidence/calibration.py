@@ -51,7 +51,7 @@ def standardised(witnesses: Floats, weights: Weights) -> Floats:
 
 
 def terms(witnesses: Floats, weights: Weights) -> Floats:
-    """(..., w + 1) what is weighed: how far an answer explains all, and its witnesses (..., w), less so the more it does."""
+    """(..., w + 1) what is weighed: how far an answer explains all; witnesses (..., w), less so the more it does."""
     whole = np.ones(witnesses.shape[:-1])
     for name, (none, much) in WHOLE.items():
         whole = whole * np.clip((much - witnesses[..., WITNESSES.index(name)]) / (much - none), 0.0, 1.0)

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
+from sketch2shape.evidence.overlaps import coincidences
 from sketch2shape.evidence.score import grown
 from sketch2shape.evidence.view import View, foreign_price
 from sketch2shape.evidence.visibility import edge_samples, hidden_depth
@@ -35,6 +36,8 @@ DASHED = 0.3
 """Nats for a unit of a dashed hidden edge: where the dashes lie."""
 CARELESS = 0.0025
 """Fraction of the drawing's size by which a hand misplaces a back vertex even if its lines are straight."""
+LEAST_APART, APART = 2.0, 0.5
+"""Pixels, or pens if that is more, between two edges drawn as one line."""
 STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
 
@@ -90,6 +93,7 @@ class Comparison:
     seen    : the same for visible edges alone
     misses  : for each kind of plane map, its parameters and (k,) pixels by which drawn back vertices miss it
     front   : number of front vertices
+    laid    : edges along others, each an accident of the view that costs a coordinate
     """
 
     view: View
@@ -101,6 +105,7 @@ class Comparison:
     seen: tuple[Floats, Ints]
     misses: tuple[tuple[int, Floats], ...]
     front: int
+    laid: int = 0
 
     @property
     def shown(self) -> Floats:
@@ -140,7 +145,7 @@ class Comparison:
     def _shape(self, noise: float, digit: float) -> float:
         slack = 1.5 * noise + CARELESS * self.view.size
         maps = (p * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum()) for p, off in self.misses)
-        return 2 * digit * self.front + min(maps)
+        return (2 * self.front + self.laid) * digit + min(maps)
 
 
 def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison:
@@ -166,9 +171,10 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     every = nearest_edges(view.points, a, span)
     seen = nearest_edges(view.points, a, span, ~hidden) if hidden.any() else every
     m = len(v) // 2
-    return Comparison(
-        view, lengths, _to_ink(view, samples[0]), wanted, hidden * each, every, seen, _misses(v[:m], v[m:], drawn), m
-    )
+    reach = max(LEAST_APART, APART * view.pen)
+    laid = coincidences(a, span, lengths + 1e-9, np.asarray((depth == 0).mean(axis=1)), reach)
+    misses = _misses(v[:m], v[m:], drawn)
+    return Comparison(view, lengths, _to_ink(view, samples[0]), wanted, hidden * each, every, seen, misses, m, laid)
 
 
 def _to_ink(view: View, points: Floats) -> Floats:

@@ -1,57 +1,52 @@
 """Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."""
 
 CENTRE = (
-    0.1095,  # unexplained
-    0.0767,  # attached
-    0.02,  # closed
-    1.1321,  # missing
-    0.1223,  # weakest
-    0.3659,  # noise
-    3.2406,  # gap
-    1.6395,  # vertices
-    0.1597,  # unseen
-    0.4954,  # bow
-    0.0925,  # flat
-    3.2739,  # shallow
-    5.0446,  # small
-    0.0975,  # doubled
-    0.0125,  # holes
-    1.269,  # map
+    0.147,  # unexplained
+    0.0931,  # attached
+    0.0083,  # closed
+    0.7134,  # loose
+    0.1749,  # weakest
+    0.5616,  # noise
+    1.6922,  # vertices
+    0.1746,  # unseen
+    0.0331,  # bend
+    0.0589,  # flat
+    2.9952,  # shallow
+    4.9116,  # small
+    0.0916,  # doubled
+    1.3062,  # map
 )
 SPREAD = (
-    0.196,  # unexplained
-    0.1368,  # attached
-    0.084,  # closed
-    1.4497,  # missing
-    0.2546,  # weakest
-    0.6173,  # noise
-    2.1103,  # gap
-    0.3812,  # vertices
-    0.2259,  # unseen
-    0.4577,  # bow
-    0.2897,  # flat
-    0.8441,  # shallow
-    0.7165,  # small
-    0.2361,  # doubled
-    0.1111,  # holes
-    0.1503,  # map
+    0.2027,  # unexplained
+    0.1551,  # attached
+    0.0404,  # closed
+    1.0436,  # loose
+    0.2913,  # weakest
+    0.7677,  # noise
+    0.4152,  # vertices
+    0.2621,  # unseen
+    0.0561,  # bend
+    0.2355,  # flat
+    0.8942,  # shallow
+    0.5373,  # small
+    0.2103,  # doubled
+    0.2386,  # map
 )
 WEIGHT = (
-    -0.9255,  # unexplained
-    -1.0117,  # attached
-    -0.6168,  # closed
-    -0.0578,  # missing
-    -0.5493,  # weakest
-    -0.3811,  # noise
-    0.042,  # gap
-    -0.4915,  # vertices
-    -0.377,  # unseen
-    -0.1862,  # bow
-    -0.5303,  # flat
-    0.3152,  # shallow
-    0.2016,  # small
-    -1.9504,  # doubled
-    0.0946,  # holes
-    -0.2804,  # map
+    3.581,  # whole
+    0.3048,  # unexplained
+    -0.7302,  # attached
+    -0.2064,  # closed
+    -0.8893,  # loose
+    -0.586,  # weakest
+    -0.5315,  # noise
+    -0.0707,  # vertices
+    -0.4555,  # unseen
+    -0.7149,  # bend
+    -0.2499,  # flat
+    0.2634,  # shallow
+    0.5364,  # small
+    -1.2679,  # doubled
+    -0.4717,  # map
 )
-BIAS = 1.0137
+BIAS = -0.8284

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.evidence.energy import Comparison, Energy, nearest_edges
+from sketch2shape.evidence.overlaps import ONE_WAY, PLACES, beside
 from sketch2shape.evidence.score import Evidence
 from sketch2shape.evidence.view import View
 from sketch2shape.hypotheses import Rings, frame
@@ -40,8 +41,8 @@ LEAST_LINE = 0.04
 """Length of a line, as a fraction of the drawing's size, below which it is a letter's or an arrow's."""
 LEAST_TOLERANCE, TOLERANCE = 1.5, 0.006
 """Pixels that a line which the object lacks may stray, at least, and as a fraction of the drawing's size."""
-ONE_WAY, SHORT = 0.1, 0.05
-"""Radians between edges of one direction, and length of an edge over the longest below which it has none."""
+SHORT = 0.05
+"""Length of an edge over the longest below which it has no direction."""
 LEAST_POINTS = 8
 """Points of ink from which the bow of an edge can be told."""
 BESIDE = 0.35
@@ -52,8 +53,6 @@ HALF_SEEN = 0.5
 """Fraction of an edge that is seen from which on another edge may lie along it."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
-PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
-"""Where on an edge it is looked at."""
 
 
 def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence) -> Floats:
@@ -156,13 +155,6 @@ def _directions(span: Floats, length: Floats) -> int:
 
 def _doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:
     """Fraction of the length of what is seen of edges (shown: (e,), fraction of each) that lies along another."""
-    p = (a[:, None] + PLACES * span[:, None]).reshape(-1, 2)
-    u = span / length[:, None]
-    to = p[:, None] - a
-    along, across = (to * u).sum(axis=2), np.abs(to[..., 0] * u[:, 1] - to[..., 1] * u[:, 0])
-    beside = ((across <= reach) & (along >= 0) & (along <= length)).reshape(len(a), -1, len(a))
-    beside &= (np.abs(u[:, None, 0] * u[:, 1] - u[:, None, 1] * u[:, 0]) < ONE_WAY)[:, None]
-    beside[np.arange(len(a)), :, np.arange(len(a))] = False
-    beside &= shown > HALF_SEEN
+    laid = beside(a, span, length, reach) & (shown > HALF_SEEN)
     seen = length * shown
-    return float((beside.any(axis=2).mean(axis=1) * seen).sum() / (seen.sum() + 1e-9))
+    return float((laid.any(axis=2).mean(axis=1) * seen).sum() / (seen.sum() + 1e-9))

@@ -104,21 +104,21 @@ def _leaving(ink: Gray, area: Gray) -> int:
 
 
 def _even_lines(ink: Gray, area: Gray, angle: float, spacing: float) -> int:
-    """How many lines the straight walk meets that meets most; 0 if they are few, or not at short and even distances."""
+    """How many lines the straight walk meets that meets most at short and even distances; 0 if they are few."""
     mask = cv2.dilate(ink, np.ones((2, 2), np.uint8)) > 0  # else a walk slips through diagonal lines
     ys, xs = np.nonzero(area)
     centre = np.array([xs.mean(), ys.mean()])
     reach = 0.5 * float(np.hypot(np.ptp(xs), np.ptp(ys)))
-    gaps = np.zeros(0)
+    most = 0
     for turn in (0.5, 0.25, 0.37, 0.63, 0.75):
         way = angle + turn * np.pi
         step, aside = np.array([np.cos(way), np.sin(way)]), np.array([-np.sin(way), np.cos(way)])
+        # a walk across a dented face may leave it on the way; another one does not
         for shift in np.linspace(-0.75, 0.75, 9):
-            met = _gaps(mask, area, centre + shift * reach * aside, step, reach) * np.sin(turn * np.pi)
-            gaps = met if len(met) > len(gaps) else gaps
-    if len(gaps) < LINES - 1:
-        return 0
-    return len(gaps) + 1 if np.median(gaps) < spacing and np.std(gaps) < UNEVEN * np.mean(gaps) else 0
+            gaps = _gaps(mask, area, centre + shift * reach * aside, step, reach) * np.sin(turn * np.pi)
+            if len(gaps) > max(most, LINES - 2) and np.median(gaps) < spacing and np.std(gaps) < UNEVEN * np.mean(gaps):
+                most = len(gaps)
+    return most + 1 if most else 0
 
 
 def _gaps(mask: Bools, area: Gray, start: Floats, step: Floats, reach: float) -> Floats:

@@ -49,8 +49,6 @@ LEFT_OVER = 0.4
 """Fraction of the price of all ink that a settled answer may leave unexplained."""
 STALE = 2
 """Attempts without anything new after which a sound answer holds."""
-WIDE_GAP = 100.0
-"""Nats to a rival where there is none."""
 TIE = 3.0
 """Nats that are no reason to prefer a later hypothesis."""
 COMPARABLE = 0.1
@@ -75,7 +73,6 @@ class Found:
     noise     : rms distance between model and ink, pixels
     compared  : held against the drawing
     energy    : what it and the drawing under it cost
-    gap       : nats to the best hypothesis that is another object
     witnesses : what speaks for and against it
     confidence: 0..1, how often such answers are right
     """
@@ -86,7 +83,6 @@ class Found:
     noise: float = 0.0
     compared: Comparison | None = None
     energy: Energy | None = None
-    gap: float = WIDE_GAP
     witnesses: Floats | None = None
     confidence: float = 0.0
 
@@ -185,8 +181,7 @@ def _best(found: list[Found]) -> Found | None:
         # of those that cost alike, the one thought of first
         if _total(other) < _total(best) - TIE:
             best = other
-    rivals = [_total(f) for f in priced if not _is_same(f, best)]
-    return replace(best, gap=min(rivals, default=_total(best) + WIDE_GAP) - _total(best))
+    return best
 
 
 def _hand(found: list[Found]) -> float:

@@ -79,3 +79,13 @@ def test_a_camera_brings_a_standing_solid_into_the_picture():
     assert scaled.vertices == pytest.approx(placed.vertices)
     camera[2, 0] = 0.01
     assert meshes.in_picture(mesh, camera.tolist()) is None
+
+
+def test_a_reading_is_right_by_its_corners_whatever_its_depth(drawn):
+    case, corners = drawn
+    true = meshes.corners(meshes.true_mesh(case.truth["mesh"], case.picture))
+    assert meshes.has_corners(corners[::-1, :2] + 1.0, true)
+    assert not meshes.has_corners(corners[:6, :2], true)
+    moved = corners[:, :2].copy()
+    moved[0] += 25.0
+    assert not meshes.has_corners(moved, true)
