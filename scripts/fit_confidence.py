@@ -32,7 +32,9 @@ from sketch2shape.evidence import WITNESSES, confidence
 from sketch2shape.evidence.calibration import Weights, terms
 
 WEIGHTS = ROOT / "sketch2shape" / "evidence" / "weights.py"
-SETS = ("fresh", "hard", "real", "real2", "refuse", "curved", "abc")
+SETS = ("fresh", "hard", "real", "real2", "refuse", "abc")
+EITHER = {"vertices", "shallow", "small"}
+"""Witnesses that may speak for an answer; all others can only speak against it, whatever the drawings happen to say."""
 RIDGE = 2.0
 """Penalty on the square of a weight: that of two answers that contradict it."""
 
@@ -102,7 +104,9 @@ def fit(answers: Sequence[Answer]) -> Weights:
         cost = float(np.logaddexp(0.0, np.where(right > 0, -t, t)).sum() + 0.5 * RIDGE * held @ held)
         return cost, z.T @ (1.0 / (1.0 + np.exp(-t)) - right) + RIDGE * held
 
-    w = minimize(loss, np.zeros(z.shape[1]), jac=True, method="L-BFGS-B").x
+    free = [(None, None)]
+    bounds = [*free, *((None, None if name in EITHER else 0.0) for name in WITNESSES), *free]
+    w = minimize(loss, np.zeros(z.shape[1]), jac=True, method="L-BFGS-B", bounds=bounds).x
     centre, spread, weight = (tuple(round(float(v), 4) for v in p) for p in (flat.centre, flat.spread, w[:-1]))
     return Weights(centre, spread, weight, round(float(w[-1]), 4))
 
