@@ -77,7 +77,7 @@ def examples() -> list[Example]:
         (
             "flat",
             *_pair(np.array([[0, 0], [200, 60], [200, -40], [0, -100.0]]), [60, -35]),
-            "two full axes, the third one drawn short: several views fit",
+            "two full axes, the third one drawn short: no named view, but one that stands",
         ),
     ]
     return [
