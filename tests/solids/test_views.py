@@ -80,14 +80,14 @@ def test_a_hidden_rim_of_a_bucket():
 
 
 @settings(max_examples=30, deadline=None)
-@given(st.integers(3, 9), st.floats(0.2, 1.0), st.floats(0, 6))
+@given(st.integers(3, 9), st.floats(0.2, 0.99) | st.just(1.0), st.floats(0, 6))
 def test_from_before_a_prism_shows_its_face(n, part, turn):
     angles = turn + np.arange(n) * 2 * np.pi / n
     ring = 30 * np.c_[np.cos(angles), np.sin(angles)]
     view = view_of(facing([ring], scale=part), "front")
     around = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()
     assert length(view.visible) == pytest.approx(around, rel=1e-4)
-    hidden = 0 if part > 0.999 else around * part + n * 30 * (1 - part)
+    hidden = 0 if part == 1.0 else around * part + n * 30 * (1 - part)
     assert length(view.hidden) == pytest.approx(hidden, rel=2e-2, abs=0.5)
 
 
