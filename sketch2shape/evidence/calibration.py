@@ -14,7 +14,7 @@ from sketch2shape.evidence.weights import BIAS, CENTRE, SPREAD, WEIGHT
 from sketch2shape.evidence.witness import WITNESSES
 from sketch2shape.model import Floats
 
-REFUSE_BELOW = 0.25
+REFUSE_BELOW = 0.14
 """Confidence below which an answer is no answer: nearly all such answers are wrong, or there is nothing to be found."""
 FARTHEST = 4.0
 """Spreads from the mean beyond which a witness says no more: no drawing of the fit lay further off."""
