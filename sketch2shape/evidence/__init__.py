@@ -5,15 +5,21 @@ from __future__ import annotations
 from sketch2shape.evidence.calibration import REFUSE_BELOW, confidence
 from sketch2shape.evidence.detectors_agree import vouched
 from sketch2shape.evidence.energy import Comparison, Energy, compare
+from sketch2shape.evidence.redrawing import compare_sweep
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
+from sketch2shape.evidence.sweep_calibration import SweepWeights, sweep_confidence, sweep_terms
+from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses
 from sketch2shape.evidence.unexplained import unexplained_strokes
-from sketch2shape.evidence.view import View, observe
+from sketch2shape.evidence.view import STROKE, View, observe
 from sketch2shape.evidence.witness import WITNESSES, witnesses
 
 __all__ = [
     "PERFECT",
     "REFUSE_BELOW",
+    "STROKE",
+    "SWEEP_WITNESSES",
+    "SweepWeights",
     "WITNESSES",
     "Comparison",
     "Energy",
@@ -21,6 +27,7 @@ __all__ = [
     "Sheet",
     "View",
     "compare",
+    "compare_sweep",
     "confidence",
     "is_dashed",
     "judge",
@@ -29,6 +36,9 @@ __all__ = [
     "most_possible",
     "observe",
     "sheet_for",
+    "sweep_confidence",
+    "sweep_terms",
+    "sweep_witnesses",
     "unexplained_strokes",
     "vouched",
     "witnesses",

@@ -11,7 +11,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import cv2
 import numpy as np
 
 from sketch2shape.evidence.overlaps import coincidences
@@ -21,6 +20,7 @@ from sketch2shape.evidence.visibility import edge_samples, hidden_depth
 from sketch2shape.geometry import homology, map_fits
 from sketch2shape.hypotheses import Rings, stack
 from sketch2shape.model import Bools, Floats, Ints, Lines
+from sketch2shape.strokes import interpolated
 
 CORRELATED = 0.08
 """Fraction of the drawing's size over which a line strays in one way: its noise is told once for so much."""
@@ -92,7 +92,7 @@ class Comparison:
     every   : distance of each point of ink to the nearest edge, pixels, and that edge
     seen    : the same for visible edges alone
     misses  : for each kind of plane map, its parameters and (k,) pixels by which drawn back vertices miss it
-    front   : number of front vertices
+    front   : number of front vertices, or what tells as much
     laid    : edges along others, each an accident of the view that costs a coordinate
     """
 
@@ -104,7 +104,7 @@ class Comparison:
     every: tuple[Floats, Ints]
     seen: tuple[Floats, Ints]
     misses: tuple[tuple[int, Floats], ...]
-    front: int
+    front: float
     laid: int = 0
 
     @property
@@ -173,15 +173,10 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     m = len(v) // 2
     reach = max(LEAST_APART, APART * view.pen)
     laid = coincidences(a, span, lengths + 1e-9, np.asarray((depth == 0).mean(axis=1)), reach)
-    misses = _misses(v[:m], v[m:], drawn)
-    return Comparison(view, lengths, _to_ink(view, samples[0]), wanted, hidden * each, every, seen, misses, m, laid)
-
-
-def _to_ink(view: View, points: Floats) -> Floats:
-    """Pixels from points (r, c, 2) to the skeleton; very many outside the picture."""
-    at = points.astype(np.float32)
-    off = cv2.remap(view.skeleton.distance, at, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=1e4)  # type: ignore[call-overload]
-    return np.asarray(off, float)
+    off = interpolated(view.skeleton.distance, samples[0])
+    return Comparison(
+        view, lengths, off, wanted, hidden * each, every, seen, _misses(v[:m], v[m:], drawn), m, laid
+    )
 
 
 def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sketch2shape.model import Floats, Ink, TwoFaceObject
+from sketch2shape.model import DrawnArc, Floats, Ink, TwoFaceObject
 from sketch2shape.strokes import trace_strokes
 
 _PLACES = 12
@@ -35,9 +35,21 @@ def _distance(points: Floats, objects: Sequence[TwoFaceObject]) -> Floats:
     """(n,) from each point to the next edge of any object, pixels."""
     nearest = np.full(len(points), np.inf)
     for obj in objects:
-        a, b = obj.vertices[obj.edges].swapaxes(0, 1)
+        a, b = _lines(obj).swapaxes(0, 1)
+        if not len(a):
+            continue
         along = b - a
         t = ((points[:, None] - a) * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), 1e-12)
         foot = a + np.clip(t, 0.0, 1.0)[..., None] * along
         nearest = np.minimum(nearest, np.linalg.norm(points[:, None] - foot, axis=2).min(axis=1))
     return nearest
+
+
+def _lines(obj: TwoFaceObject) -> Floats:
+    """(k, 2, 2) its edges, silhouettes and chords of its arcs, pixels."""
+    arcs = [np.stack([p[:-1], p[1:]], axis=1) for p in (_closed(arc) for arc in obj.arcs)]
+    return np.concatenate([obj.vertices[obj.edges], obj.silhouettes, *arcs])
+
+
+def _closed(arc: DrawnArc) -> Floats:
+    return np.concatenate([arc.points, arc.points[:1]]) if arc.start is None else arc.points

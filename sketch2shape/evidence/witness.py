@@ -71,8 +71,8 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
     return np.array(
         [
             float(view.length[left].sum()) / ink,
-            _attached(view, left, distance, size) / ink,
-            _closed(view, left) / size,
+            attached(view, left, distance, size) / ink,
+            closed(view, left) / size,
             np.log1p(_loose(view, a, span, reach)) if left.any() else 0.0,
             1.0 - evidence.weakest,
             np.log(energy.noise / (0.4 + 0.05 * view.pen)),
@@ -88,13 +88,13 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
     )
 
 
-def _attached(view: View, left: Bools, distance: Floats, size: float) -> float:
+def attached(view: View, left: Bools, distance: Floats, size: float) -> float:
     """Length of unexplained paths that touch the object, pixels."""
     touching = np.unique(view.path[left & (distance < TOUCHING * size)])
     return float(view.length[left & np.isin(view.path, touching)].sum())
 
 
-def _closed(view: View, left: Bools) -> float:
+def closed(view: View, left: Bools) -> float:
     """Square root of the area that unexplained ink encloses by itself, pixels."""
     raster = np.zeros(view.skeleton.mask.shape, np.uint8)
     mine = np.unique(view.path[left])

@@ -93,7 +93,8 @@ def _with_inner(owner: Ints, pieces: Pieces) -> Ints:
                 continue
             if hull is None:
                 hull = cv2.convexHull(np.concatenate([pieces.outlines[i] for i in np.flatnonzero(before[1:] == outer)]))
-            corners = [(x0, y0), (x1 - 1, y0), (x0, y1 - 1), (x1 - 1, y1 - 1)]
+            own = np.concatenate([pieces.outlines[i] for i in np.flatnonzero(before[1:] == inner)])
+            corners = cv2.convexHull(own)[:, 0].tolist()
             if all(cv2.pointPolygonTest(hull, (float(x), float(y)), False) >= 0 for x, y in corners):
                 owner = np.where(owner == inner, outer, owner)
     return owner

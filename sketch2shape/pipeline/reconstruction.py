@@ -19,7 +19,7 @@ from sketch2shape.pipeline.options import corrections_of, explained, lift_option
 from sketch2shape.pipeline.result import Result
 from sketch2shape.pipeline.solid import Solid
 from sketch2shape.pipeline.solid import lift as lift_solid
-from sketch2shape.search import Found, as_object, find_all
+from sketch2shape.search import AnyFound, Found, FoundSweep, as_object, find_all, sweep_as_object
 from sketch2shape.strokes import detector_named
 
 if TYPE_CHECKING:
@@ -111,8 +111,10 @@ def _timed(timings: dict[str, float], stage: str) -> Iterator[None]:
     timings[stage] = (time.perf_counter() - begin) * 1000
 
 
-def _as_object(found: Found, ink: Ink, connector: str, detector: str) -> TwoFaceObject:
+def _as_object(found: AnyFound, ink: Ink, connector: str, detector: str) -> TwoFaceObject:
     """In picture pixels, with the connector that gives each face the order that the ink shows."""
+    if isinstance(found, FoundSweep):
+        return sweep_as_object(found, ink)
     obj = as_object(found.rings, found.evidence, ink)
     return replace(
         obj,

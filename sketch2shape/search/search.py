@@ -14,7 +14,6 @@ import numpy as np
 
 from sketch2shape.evidence import (
     PERFECT,
-    REFUSE_BELOW,
     Comparison,
     Energy,
     Evidence,
@@ -29,16 +28,12 @@ from sketch2shape.evidence import (
 )
 from sketch2shape.fit import on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
-from sketch2shape.ink import Group, split_groups
-from sketch2shape.model import Floats, Ink
+from sketch2shape.ink import Group
+from sketch2shape.model import Floats
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
 from sketch2shape.search.tolerances import Traced, is_wireframe
 from sketch2shape.strokes import bridged, thin
 
-MOST_VAIN = 3
-"""Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
-LEAST_COMPANION = 0.3
-"""A second object has at least this part of the first one's size; smaller things are letters."""
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
 MOST_REFINED = 40
@@ -91,45 +86,51 @@ class Found:
         """Diagonal of the object's bounding box, pixels."""
         return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
 
-
-def find_all(ink: Ink) -> list[Found]:
-    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
-    found: list[Found] = []
-    vain = 0
-    for group in split_groups(ink):
-        if found and group.size < LEAST_COMPANION * found[0].size:
-            break
-        if vain >= MOST_VAIN:
-            break
-        best = find(group)
-        vain += best is None or best.confidence < REFUSE_BELOW
-        if best is not None and (best.confidence >= REFUSE_BELOW or not found):
-            found.append(replace(best, rings=best.rings.shifted(group.offset)))
-            found.sort(key=lambda f: -(f.confidence >= REFUSE_BELOW) * f.size)
-    if len(found) > 1:
-        found = [f for f in found if f.confidence >= REFUSE_BELOW] or found[:1]
-    return found
+    def shifted(self, by: Floats) -> Found:
+        """The same elsewhere on the sheet."""
+        return replace(self, rings=self.rings.shifted(by))
 
 
-def find(group: Group) -> Found | None:
-    """The best hypothesis for the ink of one object, or None."""
+@dataclass(frozen=True, eq=False)
+class Observed:
+    """A group of ink as all searches see it.
+
+    drawn    : the ink
+    group    : the same with gaps at corners bridged
+    skeleton : of it
+    view     : what hypotheses are held against
+    """
+
+    drawn: Group
+    group: Group
+    skeleton: Skeleton
+    view: View
+
+
+def observed(group: Group) -> Observed | None:
+    """A group of ink made ready for the search; None if it is no drawing of an object."""
     skeleton = thin(group.ink)
     if len(skeleton.points) < 30 or len(skeleton.paths) > MOST_PATHS:
         return None
+    drawn = group
     whole = bridged(skeleton, group.solid, max(1.5, 0.08 * skeleton.pen_width))
     if whole is not None:
         group = replace(group, ink=replace(group.ink, mask=group.ink.mask | whole), solid=group.solid | whole)
         skeleton = thin(group.ink)
-    view = observe(group, skeleton)
+    return Observed(drawn, group, skeleton, observe(group, skeleton))
+
+
+def find(seen: Observed) -> Found | None:
+    """The best hypothesis without arcs for the ink of one object, or None."""
     best: Found | None = None
     for look in (attempts, second_attempts):
-        best = _searched(look(group, skeleton), view, best)
+        best = _searched(look(seen.group, seen.skeleton), seen.view, best)
         if best is not None and _leaves_nothing(best):
             break
     if best is None or best.energy is None or best.compared is None:
         return None
-    seen = witnesses(best.rings, best.energy, best.compared, best.evidence)
-    return replace(best, witnesses=seen, confidence=confidence(seen))
+    told = witnesses(best.rings, best.energy, best.compared, best.evidence)
+    return replace(best, witnesses=told, confidence=confidence(told))
 
 
 def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:

@@ -6,7 +6,7 @@ from sketch2shape.strokes.bridging import bridged
 from sketch2shape.strokes.corner_detectors import DETECTORS, detector_named, near, propose, reach_of
 from sketch2shape.strokes.junctions import Corners, crossed, crossings, join_ends
 from sketch2shape.strokes.labelled_corners import DetectedCorners, detect_corners
-from sketch2shape.strokes.skeleton import Skeleton, are_covered, thin
+from sketch2shape.strokes.skeleton import Skeleton, are_covered, interpolated, thin
 from sketch2shape.strokes.stage import ink_of, trace_strokes
 from sketch2shape.strokes.tracing import Strokes, trace_skeleton
 
@@ -23,6 +23,7 @@ __all__ = [
     "detect_corners",
     "detector_named",
     "ink_of",
+    "interpolated",
     "join_ends",
     "near",
     "propose",

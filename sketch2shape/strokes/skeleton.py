@@ -14,6 +14,8 @@ from sketch2shape.ink import drawn
 from sketch2shape.model import Bools, Floats, Ink, Ints
 from sketch2shape.strokes.known_lines import known_paths
 
+FAR_AWAY = 1e4
+"""Pixels to the ink of what lies outside the picture."""
 FAR = 6.0
 """Pixels from the skeleton up to which a dilation is faster than a distance transform."""
 
@@ -105,6 +107,13 @@ def _ordered_paths(branches: NDArray[np.uint8]) -> list[NDArray[np.int32]]:
             path = np.roll(path, start - int(turns[i]), axis=0)[: len(path) // 2 + 1]
         paths.append(np.asarray(path, np.int32))
     return paths
+
+
+def interpolated(distance: NDArray[np.float32], points: Floats) -> Floats:
+    """Values of a map of distances at points (..., 2) between its pixels; very much outside it."""
+    at = points.reshape(-1, 1, 2).astype(np.float32)
+    off = cv2.remap(distance, at, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=FAR_AWAY)  # type: ignore[call-overload]
+    return np.asarray(off, float).reshape(points.shape[:-1])
 
 
 def are_covered(near: NDArray[np.uint8], a: Floats, b: Floats, least: float) -> Bools:

@@ -5,7 +5,7 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
 
 from sketch2shape.geometry.homology import apply
-from sketch2shape.search.search import find_all
+from sketch2shape.search import find_all
 from sketch2shape.search.stage import as_object
 
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))

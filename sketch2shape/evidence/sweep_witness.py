@@ -1,0 +1,71 @@
+"""Witnesses for and against a sweep, from which its confidence follows as that of all answers does (see `witness`)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sketch2shape.evidence.energy import Comparison, Energy
+from sketch2shape.evidence.witness import attached, closed
+from sketch2shape.model import Floats
+from sketch2shape.sweeps import Sweep
+
+SWEEP_WITNESSES = (
+    "unexplained",
+    "attached",
+    "closed",
+    "missing",
+    "noise",
+    "gap",
+    "numbers",
+    "unseen",
+    "shallow",
+    "small",
+    "pointed",
+    "inferred",
+    "standing",
+    "holes",
+    "lone",
+)
+"""Names of the witnesses, in order."""
+MOST_GAP = 150.0
+"""Nats to the next best answer beyond which more say no more."""
+
+
+def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: float, leaning: float) -> Floats:
+    """(w,) float, see `SWEEP_WITNESSES`.
+
+    gap     : nats to the best sweep that is another object
+    leaning : nats for how it stands, see `search.sweeping`
+    """
+    view = compared.view
+    distance, edge = compared.seen if energy.lines == "removed" else compared.every
+    left = distance > 3 * energy.noise + 0.5
+    ink = float(view.length.sum()) + 1e-9
+    hidden = float(compared.hidden.sum()) / (float(compared.lengths.sum()) / view.unit + 1e-9)
+    line = sweep.rings[0].line
+    depth = float(np.median(np.hypot(*sweep.way.of(line).T)))
+    # edges that ink lies on: a figure of few lines fits many objects
+    lines = len(np.unique(edge[~left])) if (~left).any() else 0
+    return np.array(
+        [
+            float(view.length[left].sum()) / ink,
+            attached(view, left, distance, view.size) / ink,
+            closed(view, left) / view.size,
+            np.log1p(energy.missing),
+            np.log(energy.noise / (0.4 + 0.05 * view.pen)),
+            np.log1p(float(np.clip(gap, 0.0, MOST_GAP))),
+            np.log(sweep.shape_numbers),
+            hidden if energy.lines == "removed" else 0.0,
+            np.log(depth / (view.pen + 2 * energy.noise) + 1e-9),
+            np.log(view.size / view.pen),
+            float(sweep.way.is_pointed),
+            float(sweep.regular is not None),
+            leaning,
+            float(len(sweep.rings) - 1),
+            float(lines <= FEW_LINES),
+        ]
+    )
+
+
+FEW_LINES = 4
+"""Lines with ink up to which a drawing may as well be a flat figure."""

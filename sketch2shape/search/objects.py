@@ -1,0 +1,99 @@
+"""Objects of a sheet: for each group of ink the best answer there is, straight or with arcs, or none."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sketch2shape.evidence import REFUSE_BELOW
+from sketch2shape.ink import Group, split_groups
+from sketch2shape.model import TRUSTED, Ink
+from sketch2shape.search.search import Found, find, observed
+from sketch2shape.search.sweeping import FoundSweep, find_sweep
+from sketch2shape.strokes import Skeleton
+
+MOST_VAIN = 3
+"""Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
+LEAST_COMPANION = 0.3
+"""A second object has at least this part of the first one's size; smaller things are letters."""
+BOWED, SOME_BOWED = 0.08, 0.02
+"""Part of the ink on bowed lines from which on arcs are looked for first, and from which on at all."""
+LEAST_BOW, LEAST_LENGTH = 0.08, 0.06
+"""Height of a bow over its chord, and length over the drawing's size, from which a line is no straight one."""
+AnyFound: TypeAlias = Found | FoundSweep
+"""An answer for a group of ink, in its working pixels or those of the sheet."""
+
+
+def find_all(ink: Ink, *, quick: bool = False) -> list[AnyFound]:
+    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels.
+
+    quick : take what the first attempt gives, as while somebody is still drawing
+    """
+    found: list[AnyFound] = []
+    vain = 0
+    for group in split_groups(ink):
+        if found and group.size < LEAST_COMPANION * found[0].size:
+            break
+        if vain >= MOST_VAIN:
+            break
+        best = find_one(group, quick=quick)
+        vain += best is None or best.confidence < REFUSE_BELOW
+        if best is not None and (best.confidence >= REFUSE_BELOW or not found):
+            found.append(best.shifted(group.offset))
+            found.sort(key=lambda f: -(f.confidence >= REFUSE_BELOW) * f.size)
+    if len(found) > 1:
+        found = [f for f in found if f.confidence >= REFUSE_BELOW] or found[:1]
+    return found
+
+
+def find_one(group: Group, *, quick: bool = False) -> AnyFound | None:
+    """The best answer for the ink of one object, or None; quick: of the first attempt."""
+    seen = observed(group)
+    if seen is None:
+        return None
+    bowed = bowed_part(seen.skeleton, seen.view.size)
+    swept = find_sweep(seen) if bowed >= BOWED else None
+    if swept is not None and swept.confidence >= TRUSTED:
+        return swept
+    straight = find(seen, quick=quick)
+    doubted = straight is None or straight.confidence < TRUSTED
+    if swept is None and (doubted or bowed >= SOME_BOWED):
+        swept = find_sweep(seen)
+    return _better(straight, swept)
+
+
+def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
+    """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen."""
+    if swept is None or not (swept.sweep.has_arcs or swept.sweep.way.is_pointed):
+        return straight
+    if straight is None or straight.energy is None:
+        return swept
+    gap = straight.energy.total - swept.nats
+    return swept.against(gap) if gap > 0 else straight
+
+
+def bowed_part(skeleton: Skeleton, size: float) -> float:
+    """Part of the ink that lies on bowed lines, 0..1."""
+    bowed = sum(len(p) for p in skeleton.paths if _is_bowed(p, LEAST_LENGTH * size))
+    return bowed / max(sum(map(len, skeleton.paths)), 1)
+
+
+def _is_bowed(path: NDArray[np.int32], least: float) -> bool:
+    """Whether the middle of a line lies off its chord, and both its halves to one side."""
+    if len(path) < max(least, 8):
+        return False
+    a, b = path[0].astype(float), path[-1].astype(float)
+    chord = b - a
+    long = float(np.hypot(*chord))
+    if long < 0.3 * len(path):
+        return True
+    off = ((path[:, 0] - a[0]) * chord[1] - (path[:, 1] - a[1]) * chord[0]) / long
+    quarter, half, last = off[len(off) // 4], off[len(off) // 2], off[3 * len(off) // 4]
+    # a corner's sides run straight to it: at their middles they are half as far off
+    return bool(abs(half) > LEAST_BOW * long and min(quarter / half, last / half) > BENT)
+
+
+BENT = 0.62
+"""Distance from the chord at a quarter of a bowed line, over that at its middle: 0.75 for an arc, 0.5 for a corner."""

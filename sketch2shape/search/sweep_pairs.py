@@ -1,0 +1,223 @@
+"""Pairs: outlines and ways to the back face that a glance at a drawing supports, and how their outlines are cut.
+
+A scene holds what of a drawing this search looks at: strokes, closed lines, ellipses, where long lines meet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from sketch2shape.evidence import View
+from sketch2shape.ink import Group
+from sketch2shape.model import Floats
+from sketch2shape.strokes import Skeleton, Strokes, trace_skeleton
+from sketch2shape.sweeps import (
+    Cells,
+    Sweep,
+    Way,
+    centres,
+    coherent_loops,
+    cut_ring,
+    directions,
+    distinct_directions,
+    ellipses,
+    enclosed_loops,
+    settled,
+    shifts,
+    ways_of,
+)
+
+MOST_OUTLINES = 14
+"""Outlines that are probed."""
+TAPERS = 2
+"""Ways that taper which are tried with one outline."""
+ALIKE = 0.02
+"""Fraction of the drawing's size within which two outlines, or their images, are one."""
+SHALLOW_PENS, SHALLOW = 3.0, 0.02
+"""Pens, and fraction of the drawing's size, below which there is no depth."""
+COARSE = 0.01
+"""Fraction of the drawing's size by which a hand's straight line may stray."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A drawing as this search sees it.
+
+    group    : the ink
+    skeleton : of it, gaps at corners bridged
+    view     : what hypotheses are held against
+    """
+
+    group: Group
+    skeleton: Skeleton
+    view: View
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the ink, pixels."""
+        return self.view.size
+
+    @cached_property
+    def margin(self) -> float:
+        """Pixels within which a line may lie on the border of sight."""
+        return max(3.0, 0.008 * self.size)
+
+    @cached_property
+    def solid(self) -> NDArray[np.float32] | None:
+        """(h, w) pixels to the nearest solid line, where there are dashes."""
+        if np.count_nonzero(self.group.solid) == np.count_nonzero(self.group.ink.mask):
+            return None
+        lines = self.skeleton.mask.astype(bool) & self.group.solid
+        return np.asarray(cv2.distanceTransform((~lines).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5), np.float32)
+
+    @cached_property
+    def tree(self) -> cKDTree:
+        """Of the skeleton's pixels."""
+        return cKDTree(self.skeleton.points)
+
+    @cached_property
+    def strokes(self) -> list[Strokes]:
+        """Straight strokes, finely and coarsely traced."""
+        fine = max(1.5, 0.08 * self.skeleton.pen_width)
+        coarse = max(COARSE * self.size, 1.5 * fine)
+        return [trace_skeleton(self.skeleton, t, self.group.solid) for t in (fine, coarse)]
+
+    @cached_property
+    def every_stroke(self) -> list[Strokes]:
+        """Those of dashes too."""
+        return [trace_skeleton(self.skeleton, s.tolerance) for s in self.strokes]
+
+    @cached_property
+    def meeting(self) -> Floats:
+        """(c, 2) float, pixels, where long strokes meet."""
+        return np.concatenate([centres(s, self.size) for s in self.strokes])
+
+    @cached_property
+    def ellipses(self) -> list[Floats]:
+        """Ellipses (k, 2) that bowed lines lie on."""
+        return ellipses(self.skeleton, self.size)
+
+    @cached_property
+    def loops(self) -> list[Floats]:
+        """Closed lines (k, 2): what solid lines enclose, and ellipses."""
+        enclosed = enclosed_loops(self.group.solid, self.skeleton.pen_width)
+        near = ALIKE * self.size
+        return [*enclosed, *(e for e in self.ellipses if not any(are_close(e, loop, near) for loop in enclosed))]
+
+
+class Pair(NamedTuple):
+    """An outline with a way to the back face.
+
+    value    : see `Cells.value`
+    loop     : (k, 2) float, pixels
+    way      : to the back face
+    is_near  : whether the outline is that of the nearer face
+    is_whole : whether all of the outline has an image on ink, hidden or not
+    places   : (6,) float, pixels: extent and middle of the outline, middle of its image
+    """
+
+    value: float
+    loop: Floats
+    way: Way
+    is_near: bool
+    is_whole: bool
+    places: Floats
+
+    @classmethod
+    def of(cls, cells: Cells, loop: Floats, way: Way, *, is_near: bool = True, is_whole: bool = False) -> Pair:
+        """The pair, looked at in coarse cells."""
+        middle = loop.mean(axis=0)
+        places = np.concatenate([np.ptp(loop, axis=0), middle, middle + way.of(middle[None])[0]])
+        return cls(cells.value(loop, way, is_near=is_near), loop, way, is_near, is_whole, places)
+
+    @property
+    def tapers(self) -> bool:
+        """Whether the back face is smaller, but no point."""
+        return self.way.centre is not None and not self.way.is_pointed
+
+
+def distinct(pairs: Iterable[Pair], size: float) -> Iterator[Pair]:
+    """Pairs without those that say what a better one says."""
+    kept: list[Pair] = []
+    for pair in pairs:
+        if pair.tapers and sum(k.loop is pair.loop and k.tapers for k in kept) >= TAPERS:
+            continue
+        alike = [k for k in kept if (k.is_near, k.is_whole) == (pair.is_near, pair.is_whole)]
+        alike = [k for k in alike if k.way.is_pointed == pair.way.is_pointed]
+        if alike and (np.abs(np.array([k.places for k in alike]) - pair.places).max(axis=1) < ALIKE * size).any():
+            continue
+        kept.append(pair)
+        yield pair
+
+
+def pairs_of(scene: Scene) -> Iterator[Pair]:
+    """Outlines and ways that a glance at the ink supports."""
+    cells = Cells.of(scene.skeleton, scene.size, scene.group.solid)
+    along = np.concatenate([directions(s, scene.size) for s in scene.strokes])
+    along = distinct_directions(along)
+    meeting = scene.meeting
+    for loop in scene.loops[:MOST_OUTLINES]:
+        for way in ways_of(loop, scene.skeleton, along, meeting, scene.size):
+            yield Pair.of(cells, loop, way)
+    for loop in scene.ellipses:
+        for centre in meeting:
+            point = Way(np.zeros(2), centre, 0.0)
+            for is_near in (True, False):
+                yield Pair.of(cells, loop, point, is_near=is_near)
+    reach = max(3.0, 0.5 * scene.skeleton.pen_width)
+    for shift in shifts(scene.skeleton, along, scene.size):
+        for d in (shift, -shift):
+            for loop in coherent_loops(scene.skeleton, d, reach, scene.size)[:1]:
+                yield Pair.of(cells, loop, Way(d), is_whole=True)
+
+
+def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
+    """The sweeps that a pair may mean: its outline cut into lines and arcs."""
+    way = pair.way
+    if not way.is_pointed:
+        way = settled(way, pair.loop, scene.skeleton, scene.size, is_wire=pair.is_whole)
+    if is_flat(way, pair.loop, scene):
+        return
+    axis = way.shift if way.centre is None else way.centre - pair.loop.mean(axis=0)
+    axis = axis / (np.hypot(*axis) + 1e-9)
+    for made in cut_ring(evenly(pair.loop), axis, scene.skeleton.pen_width):
+        sweep = Sweep((made.outline,), way, pair.is_near)
+        yield _larger_first(sweep)
+
+
+def _larger_first(sweep: Sweep) -> Sweep:
+    """The sweep with the larger face as its front, as a base is."""
+    centre, scale = sweep.way.centre, sweep.way.scale
+    if centre is None or scale <= 1.0:
+        return sweep
+    rings = tuple(ring.moved(centre, scale) for ring in sweep.rings)
+    return Sweep(rings, Way(sweep.way.shift, centre, 1.0 / scale), not sweep.is_near)
+
+
+def evenly(loop: Floats) -> Floats:
+    """(k, 2) points of a closed line, a pixel apart."""
+    closed = np.concatenate([loop, loop[:1]])
+    run = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed, axis=0).T))])
+    at = np.linspace(0, run[-1], max(int(run[-1]), 12), endpoint=False)
+    return np.stack([np.interp(at, run, closed[:, 0]), np.interp(at, run, closed[:, 1])], axis=1)
+
+
+def is_flat(way: Way, line: Floats, scene: Scene) -> bool:
+    """Whether a way leads an outline hardly anywhere: any outline is its own image."""
+    return float(np.median(np.hypot(*way.of(line).T))) < max(
+        SHALLOW_PENS * scene.skeleton.pen_width, SHALLOW * scene.size
+    )
+
+
+def are_close(p: Floats, q: Floats, near: float) -> bool:
+    """Whether two closed lines have one bounding box, to so many pixels."""
+    boxes = np.abs(np.concatenate([p.min(axis=0) - q.min(axis=0), p.max(axis=0) - q.max(axis=0)]))
+    return bool(boxes.max() < near)

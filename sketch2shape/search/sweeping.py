@@ -1,0 +1,279 @@
+"""Sweeping: the search for objects with arcs, and for pyramids and cones.
+
+Outlines and ways to the back face are probed quickly; what explains most of the ink is cut into lines and arcs, held
+against the drawing in nats like all other hypotheses, moved to the ink, rid of needless vertices, and given its holes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from typing import TypeAlias
+
+import cv2
+import numpy as np
+
+from sketch2shape.evidence import STROKE, Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses
+from sketch2shape.fit import polished
+from sketch2shape.geometry import cross
+from sketch2shape.model import Floats
+from sketch2shape.search.search import Observed
+from sketch2shape.search.sweep_pairs import ALIKE, Scene, are_close, cut, distinct, evenly, is_flat, pairs_of
+from sketch2shape.sweeps import (
+    Outline,
+    Sweep,
+    coherent_loops,
+    cut_ring,
+    pyramids,
+    redraw,
+)
+
+MOST_PRICED = 10
+"""Pairs of an outline and a way that are priced, those that explain most at a glance."""
+WORSE = 0.4
+"""Part of the ink that a pair may explain less than the best one."""
+HOPEFUL = 12.0
+"""Nats that may be gained where a simpler object is moved to the ink."""
+MOST_IMPROVED = 3
+"""Of these, those that are moved to the ink."""
+APART = 1.5
+"""Pens from the nearest solid line beyond which a line is none."""
+LEANS, PLUMB = 6.0, 0.03
+"""Nats for a point that is not above the middle of its base, and radians by which one that is may be drawn off."""
+FLAT = 0.12
+"""Bulge of an arc up to which it may be a bent line."""
+BEND = 0.5
+"""Angle, radians, up to which a vertex may be none."""
+
+
+@dataclass(frozen=True, eq=False)
+class FoundSweep:
+    """A sweep held against a drawing.
+
+    sweep    : in the working pixels of its group
+    compared : with the drawing
+    energy   : nats
+    gap      : nats to the best that is another object
+    witnesses : what speaks for and against it
+    confidence: 0..1, how often such answers are right
+    """
+
+    sweep: Sweep
+    compared: Comparison
+    energy: Energy
+    gap: float = np.inf
+    witnesses: Floats | None = None
+    confidence: float = 0.0
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the object's bounding box, pixels."""
+        line = self.sweep.rings[0].line
+        return float(np.hypot(*np.ptp(np.concatenate([line, line + self.sweep.way.of(line)]), axis=0)))
+
+    @property
+    def nats(self) -> float:
+        """What the object and the drawing cost, and how it stands."""
+        return self.energy.total + _leaning(self.sweep)
+
+    @property
+    def noise(self) -> float:
+        """How far lines stray, pixels."""
+        return self.energy.noise
+
+    def shifted(self, by: Floats) -> FoundSweep:
+        """The same elsewhere on the sheet."""
+        return replace(self, sweep=self.sweep.shifted(by))
+
+    def against(self, gap: float) -> FoundSweep:
+        """With a rival so many nats away, and the confidence that follows."""
+        gap = min(gap, self.gap)
+        told = sweep_witnesses(self.sweep, self.energy, self.compared, gap, _leaning(self.sweep))
+        return replace(self, gap=gap, witnesses=told, confidence=sweep_confidence(told))
+
+
+def _priced(scene: Scene, sweep: Sweep) -> FoundSweep:
+    compared = compare_sweep(sweep, scene.view, scene.margin, scene.solid)
+    return FoundSweep(sweep, compared, compared.energy(np.inf))
+
+
+def find_sweep(seen: Observed) -> FoundSweep | None:
+    """The best sweep for the ink of one object, or None."""
+    skeleton = seen.skeleton
+    scene = Scene(seen.drawn, skeleton, seen.view)
+    pairs = distinct(sorted(pairs_of(scene), key=lambda p: -p.value), scene.size)
+    begun: list[_Begun] = [
+        (_priced(scene, s), iter(())) for s in pyramids(scene.every_stroke, scene.meeting, skeleton, scene.size)
+    ]
+    best_value = -np.inf
+    at_a_glance: _Begun | None = None
+    for pair in islice(pairs, MOST_PRICED):
+        best_value = max(best_value, pair.value)
+        if pair.value < best_value - WORSE:
+            break
+        cuts = cut(pair, scene)
+        first = [_priced(scene, s) for s in islice(cuts, 1)]
+        if first and first[0].sweep.rings[0].circle is not None:
+            first += [_priced(scene, s) for s in islice(cuts, 1)]
+        begun += [(f, cuts) for f in first]
+        at_a_glance = at_a_glance or (begun[-1] if first else None)
+    some = _unlike(sorted(begun, key=lambda b: _nats(b[0])), scene.size)
+    chosen = some[:MOST_IMPROVED]
+    if at_a_glance is not None and at_a_glance not in chosen:
+        chosen.append(at_a_glance)
+    improved = sorted((_improved(f, rest, scene) for f, rest in chosen), key=_nats)
+    if not improved:
+        return None
+    best = improved[0]
+    rivals = [
+        _nats(f) for f in (*improved[1:], *(f for f, _ in some[MOST_IMPROVED:])) if not _is_same(f, best, scene.size)
+    ]
+    best = _dashed(best, scene)
+    return best.against(min(rivals, default=np.inf) - _nats(best))
+
+
+def _nats(found: FoundSweep) -> float:
+    return found.nats
+
+
+def _leaning(sweep: Sweep) -> float:
+    """Nats for a pyramid or a cone that does not stand plumb on its base, and for a rare number of sides."""
+    if sweep.way.centre is None or not sweep.way.is_pointed:
+        return 0.0
+    x, y = sweep.way.centre - sweep.rings[0].middle
+    rare = sweep.regular or 0.0
+    if y > 0:
+        return LEANS + rare
+    return rare + float(min(0.5 * (np.arctan2(abs(x), -y) / PLUMB) ** 2, LEANS))
+
+
+def _dashed(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """With hidden lines told as dashed if most of them lie on no solid line."""
+    if scene.solid is None or found.energy.lines != "wire":
+        return found
+    drawn = redraw(found.sweep, scene.size / 100, scene.margin)
+    hidden = drawn.depth == 2
+    x, y = np.rint(drawn.points[hidden]).astype(np.intp).T
+    h, w = scene.solid.shape
+    apart = scene.solid[np.clip(y, 0, h - 1), np.clip(x, 0, w - 1)] > APART * scene.skeleton.pen_width
+    if not len(apart) or np.average(apart, weights=drawn.length[hidden]) < 0.5:
+        return found
+    return replace(found, energy=found.energy._replace(lines="dashed"))
+
+
+_Begun: TypeAlias = tuple[FoundSweep, Iterator[Sweep]]
+"""A sweep, and other ways to cut its outline."""
+
+
+def _unlike(found: list[_Begun], size: float) -> list[_Begun]:
+    """The best of each object."""
+    kept: list[_Begun] = []
+    for f, rest in found:
+        if not any(_is_same(f, k, size) for k, _ in kept):
+            kept.append((f, rest))
+    return kept
+
+
+def _is_same(a: FoundSweep, b: FoundSweep, size: float) -> bool:
+    """Whether both are the same faces, cut in other ways or the one seen from the other side."""
+    ends = [(s.rings[0].line, s.rings[0].line + s.way.of(s.rings[0].line)) for s in (a.sweep, b.sweep)]
+    near = ALIKE * size
+    (p, q), (r, s) = ends
+    return (are_close(p, r, near) and are_close(q, s, near)) or (are_close(p, s, near) and are_close(q, r, near))
+
+
+def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
+    """The best cut moved to the ink, with its holes and without needless vertices."""
+    found = min((_moved(f, scene) for f in (found, *(_priced(scene, s) for s in others))), key=_nats)
+    found = _with_holes(found, scene)
+    found = _simpler(found, scene)
+    if found.sweep.way.centre is None:
+        other = _priced(scene, found.sweep.reversed())
+        found = min(found, other, key=_nats)
+    return found
+
+
+def _moved(found: FoundSweep, scene: Scene) -> FoundSweep:
+    reach = max(4.0, 0.012 * scene.size)
+    moved = polished(found.sweep, scene.tree, reach)
+    if is_flat(moved.way, moved.rings[0].line, scene):
+        return found
+    return min(found, _priced(scene, moved), key=_nats)
+
+
+def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """With those closed lines inside the outer ring as holes that make the drawing cheaper to tell."""
+    if found.sweep.way.is_pointed:
+        return found
+    for loop in _inner_loops(found.sweep, scene):
+        rings = found.sweep.rings
+        if any(are_close(loop, ring.line, ALIKE * scene.size) for ring in rings):
+            continue
+        frame = found.sweep.frame
+        hints = (frame.ratio,) if found.sweep.has_arcs else ()
+        axis = found.sweep.way.shift if found.sweep.way.centre is None else found.sweep.way.of(loop).mean(axis=0)
+        along = frame.along if found.sweep.has_arcs else axis / (np.hypot(*axis) + 1e-9)
+        for told in islice(cut_ring(evenly(loop), along, scene.skeleton.pen_width, hints), 1):
+            outer = tuple(replace(r, frame=told.frame) for r in rings) if not found.sweep.has_arcs else rings
+            sweep = replace(found.sweep, rings=(*outer, told.outline))
+            holed = _moved(_priced(scene, sweep), scene)
+            # a closed line inside a face is hardly a foreign stroke
+            found = holed if _nats(holed) < _nats(found) + STROKE else found
+    return found
+
+
+def _inner_loops(sweep: Sweep, scene: Scene) -> Iterator[Floats]:
+    """Closed lines inside the outer ring of the front face, the largest first."""
+    outer = sweep.rings[0].line.astype(np.float32)
+    loops = list(scene.loops)
+    if sweep.way.centre is None:
+        reach = max(3.0, 0.5 * scene.skeleton.pen_width)
+        loops = [*coherent_loops(scene.skeleton, sweep.way.shift, reach, scene.size)[1:], *loops]
+    for loop in loops:
+        some = loop[:: max(1, len(loop) // 24)]
+        if min(cv2.pointPolygonTest(outer, (float(x), float(y)), True) for x, y in some) > 2.0:
+            yield loop
+
+
+def _simpler(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """Without vertices that cost more than the ink they explain."""
+    changed = True
+    while changed:
+        changed = False
+        for k, ring in enumerate(found.sweep.rings):
+            for other in _with_one_less(ring):
+                rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
+                way = _priced(scene, replace(found.sweep, rings=rings))
+                if _nats(way) < _nats(found) + HOPEFUL:
+                    way = _moved(way, scene)
+                if _nats(way) < _nats(found):
+                    found, changed = way, True
+                    break
+            if changed:
+                break
+    return found
+
+
+def _with_one_less(ring: Outline) -> Iterator[Outline]:
+    """The ring without one of the vertices at which it hardly turns, or with a flat arc made straight."""
+    n = len(ring.vertices)
+    if n < 3:
+        return
+    flat = ring.frame.flat(ring.vertices)
+    for i in np.argsort(ring.turns):
+        if ring.turns[i] > BEND or (n == 3 and not ring.curved.any()):
+            break
+        a, v, c = flat[i - 1], flat[i], flat[(i + 1) % n]
+        u, w = a - v, c - v
+        inner = float(np.arctan2(abs(cross(u, w)), u @ w))
+        bulge = -float(np.sign(cross(c - a, v - a))) * float(np.tan(0.5 * (np.pi - inner)))
+        bends = ring.curved[i - 1] or ring.curved[i]
+        bulges = ring.bulges.copy()
+        bulges[i - 1] = -bulge if bends else 0.0
+        keep = np.arange(n) != i
+        yield Outline(ring.frame, ring.vertices[keep], bulges[keep], ring.smooth[keep])
+    for i in np.flatnonzero(ring.curved & (np.abs(ring.bulges) < FLAT)):
+        bulges = ring.bulges.copy()
+        bulges[i] = 0.0
+        yield replace(ring, bulges=bulges)

@@ -1,0 +1,78 @@
+"""A sweep as the object in the picture: vertices, arcs, silhouettes in picture pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+import numpy as np
+
+from sketch2shape.model import Bools, DrawnArc, Ellipse, FacePair, Floats, Ink, Lines, TwoFaceObject
+from sketch2shape.search.sweeping import FoundSweep
+from sketch2shape.sweeps import Outline, Sweep, redraw, seen_vertices
+from sketch2shape.sweeps.outlines import STEPS
+
+SPACING, MARGIN = 4.0, 3.0
+"""Pixels between samples, and within which a line may lie on the border of sight."""
+
+
+def sweep_as_object(found: FoundSweep, ink: Ink) -> TwoFaceObject:
+    """The object of a sweep found on a sheet.
+
+    found : in the sheet's working pixels
+    """
+    sweep = found.sweep
+    back = _back(sweep)
+    pairs = [FacePair(ink.to_picture(f.vertices), ink.to_picture(b)) for f, b in zip(sweep.rings, back, strict=True)]
+    arcs = tuple(arc for hole, ring in enumerate(sweep.rings) for arc in _arcs_of(sweep, ring, hole, ink))
+    drawn = redraw(sweep, SPACING, MARGIN)
+    return TwoFaceObject(
+        pairs[0].f1,
+        pairs[0].f2,
+        tuple(pairs[1:]),
+        confidence=found.confidence,
+        lines=found.energy.lines,
+        f2_drawn=_drawn(sweep, found.energy.lines),
+        noise=found.noise / ink.scale,
+        page=ink.page,
+        arcs=arcs,
+        silhouettes=ink.to_picture(drawn.silhouettes),
+    )
+
+
+def _back(sweep: Sweep) -> list[Floats]:
+    """(n, 2) float of each ring on the back face, (1, 2) where it is a point."""
+    if sweep.way.is_pointed and sweep.way.centre is not None:
+        return [sweep.way.centre[None]]
+    return [ring.vertices + sweep.way.of(ring.vertices) for ring in sweep.rings]
+
+
+def _drawn(sweep: Sweep, lines: Lines) -> Bools:
+    """(m,) bool, which vertices of the back face the drawing shows."""
+    if sweep.way.is_pointed:
+        return np.ones(1, np.bool_)
+    m = sum(len(ring.vertices) for ring in sweep.rings)
+    if lines != "removed" or not m:
+        return np.ones(m, np.bool_)
+    return seen_vertices(sweep, MARGIN)
+
+
+def _arcs_of(sweep: Sweep, ring: Outline, number: int, ink: Ink) -> Iterator[DrawnArc]:
+    hole = None if number == 0 else number - 1
+    faces: list[tuple[Literal["f1", "f2"], Outline]] = [("f1", ring)]
+    if not sweep.way.is_pointed:
+        faces.append(("f2", _image(sweep, ring)))
+    for face, outline in faces:
+        n, line = len(outline.vertices), outline.line
+        for i, ellipse in outline.ellipses():
+            own = line if outline.circle is not None else line[(i * STEPS + np.arange(STEPS + 1)) % len(line)]
+            start, end = (None, None) if outline.circle is not None else (i, (i + 1) % n)
+            centre, axes, angle = ellipse
+            told = Ellipse(ink.to_picture(centre), (axes[0] / ink.scale, axes[1] / ink.scale), angle)
+            yield DrawnArc(face, hole, start, end, told, ink.to_picture(own))
+
+
+def _image(sweep: Sweep, ring: Outline) -> Outline:
+    """The ring on the back face."""
+    way = sweep.way
+    return ring.shifted(way.shift) if way.centre is None else ring.moved(way.centre, way.scale)

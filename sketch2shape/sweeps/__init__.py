@@ -1,0 +1,33 @@
+"""Objects with arcs or a point: what could be their outlines, and how these become the back face."""
+
+from __future__ import annotations
+
+from sketch2shape.sweeps.loops import coherent_loops, ellipses, enclosed_loops
+from sketch2shape.sweeps.outlines import Circle, Frame, Outline
+from sketch2shape.sweeps.pieces import cut_ring
+from sketch2shape.sweeps.pyramids import pyramids
+from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
+from sketch2shape.sweeps.ways import Cells, centres, directions, distinct_directions, settled, shifts, ways_of
+
+__all__ = [
+    "Cells",
+    "Circle",
+    "Frame",
+    "Outline",
+    "Redrawn",
+    "Sweep",
+    "Way",
+    "centres",
+    "coherent_loops",
+    "cut_ring",
+    "directions",
+    "distinct_directions",
+    "ellipses",
+    "enclosed_loops",
+    "pyramids",
+    "redraw",
+    "seen_vertices",
+    "settled",
+    "shifts",
+    "ways_of",
+]

@@ -1,0 +1,104 @@
+"""Objects with arcs and with a point, from the drawing to the object."""
+
+import cv2
+import numpy as np
+import pytest
+from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, drawn, half_disc
+from sketches import DEPTH, ink_of, paper, prism
+
+from sketch2shape.search import FoundSweep, find_all, sweep_as_object
+from sketch2shape.sweeps import Sweep, Way
+
+HALF_CYLINDER = Sweep((half_disc(),), Way(np.array([110.0, -70])))
+
+
+def found_in(picture):
+    ink = ink_of(picture)
+    return [sweep_as_object(f, ink) for f in find_all(ink) if isinstance(f, FoundSweep)]
+
+
+def the_one(picture):
+    (found,) = found_in(picture)
+    return found
+
+
+def shift_of(obj):
+    whole = {arc.face: arc.ellipse.center for arc in obj.arcs if arc.hole is None}
+    return whole["f2"] - whole["f1"]
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
+def test_a_cylinder_is_two_ellipses(lines):
+    obj = the_one(drawn(CYLINDER, lines))
+    assert [len(obj.f1), len(obj.f2), len(obj.arcs)] == [0, 0, 2]
+    assert np.abs(np.abs(shift_of(obj)) - [0, 150]).max() < 3
+    assert obj.arcs[0].ellipse.axes == pytest.approx((90, 36), abs=2.5)
+    assert len(obj.silhouettes) == 2
+
+
+def test_hidden_lines_that_are_dashed_are_told_as_dashed():
+    assert the_one(drawn(CYLINDER, "dashed")).lines == "dashed"
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
+def test_a_tube_has_a_round_hole(lines):
+    obj = the_one(drawn(TUBE, lines))
+    assert len(obj.holes) == 1
+    radii = sorted(arc.ellipse.axes[0] for arc in obj.arcs)
+    assert radii == pytest.approx([50, 50, 90, 90], abs=2.5)
+
+
+@pytest.mark.parametrize("lines", ["dashed", "removed"])
+@pytest.mark.parametrize(("sweep", "vertices"), [(ARCH, 4), (HALF_CYLINDER, 2)], ids=["arch", "half cylinder"])
+def test_an_arc_is_one_edge(sweep, vertices, lines):
+    obj = the_one(drawn(sweep, lines))
+    assert len(obj.f1) == len(obj.f2) == vertices
+    assert [arc.face for arc in obj.arcs] == ["f1", "f2"]
+    assert obj.arcs[0].ellipse.axes[0] == pytest.approx(obj.arcs[0].ellipse.axes[1], rel=0.04)
+    assert len(obj.arcs[0].points) >= 9
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
+def test_a_cone_comes_to_a_point(lines):
+    obj = the_one(drawn(CONE, lines))
+    assert obj.is_pointed
+    assert np.abs(obj.f2 - [[240, 90]]).max() < 4
+    assert obj.arcs[0].ellipse.axes == pytest.approx((90, 36), abs=3)
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed"])
+def test_a_pyramid_joins_its_base_to_a_point(lines):
+    obj = the_one(drawn(PYRAMID, lines))
+    assert obj.is_pointed
+    assert np.abs(obj.f2 - [[225, 100]]).max() < 4
+    off = np.linalg.norm(obj.f1[:, None] - PYRAMID.rings[0].vertices, axis=2)
+    assert off.min(axis=1).max() < 4
+    assert len(obj.f1) == 4
+
+
+def test_turning_the_paper_turns_the_answer():
+    picture = drawn(ARCH, "removed")
+    upright, turned = the_one(picture), the_one(cv2.rotate(picture, cv2.ROTATE_90_CLOCKWISE))
+    back = np.stack([turned.f1[:, 1], picture.shape[0] - 1 - turned.f1[:, 0]], axis=1)
+    off = np.linalg.norm(back[:, None] - upright.f1, axis=2)
+    assert off.min(axis=1).max() < 2
+
+
+def test_a_box_is_none_of_them():
+    f1 = np.array([[120.0, 140], [270, 140], [270, 290], [120, 290]])
+    assert found_in(prism(f1, f1 + DEPTH)) == []
+
+
+@pytest.mark.parametrize(
+    "figure",
+    [
+        lambda p: cv2.ellipse(p, (240, 200), (120, 60), 0, 0, 360, 0, 2, cv2.LINE_AA),
+        lambda p: [cv2.circle(p, (240, 200), r, 0, 2, cv2.LINE_AA) for r in (50, 100)],
+        lambda p: [cv2.circle(p, (x, 200), 60, 0, 2, cv2.LINE_AA) for x in (180, 300)],
+    ],
+    ids=["an ellipse alone", "concentric circles", "circles that touch"],
+)
+def test_circles_alone_are_no_object(figure):
+    picture = paper()
+    figure(picture)
+    assert all(obj.confidence < 0.9 for obj in found_in(picture))

@@ -1,0 +1,42 @@
+"""Rings of lines and arcs as they are seen."""
+
+import numpy as np
+import pytest
+from round_sketches import FACING, UPRIGHT, arch, ellipse, half_disc
+
+from sketch2shape.sweeps.outlines import polygon
+
+
+def test_a_half_circle_bulges_by_one():
+    line = half_disc().line
+    arc = line[:24]
+    assert np.hypot(*(arc - [210, 240]).T) == pytest.approx(90)
+    assert arc[:, 1].min() == pytest.approx(150, abs=1e-6)
+
+
+def test_a_whole_ellipse_keeps_the_ratio_of_its_frame():
+    wide, high = np.ptp(ellipse().line, axis=0)
+    assert high / wide == pytest.approx(0.4, abs=1e-3)
+    ((edge, (centre, axes, angle)),) = ellipse().ellipses()
+    assert (edge, axes, angle) == (0, pytest.approx((90, 36)), pytest.approx(0))
+    assert centre == pytest.approx([240, 120])
+
+
+def test_numbers_of_rings():
+    # two a vertex, one for the arc, and each smooth joint takes one back
+    assert arch().numbers == 8 + 1 - 2
+    assert half_disc().numbers == 4 + 1
+    assert ellipse().numbers == 3
+    assert polygon(np.eye(3)[:, :2]).numbers == 6
+
+
+@pytest.mark.parametrize("ring", [arch(), half_disc(UPRIGHT), ellipse()], ids=["arch", "half", "ellipse"])
+def test_moving_a_ring_moves_its_line(ring):
+    by, centre = np.array([13.0, -7.0]), np.array([50.0, 60.0])
+    assert ring.shifted(by).line == pytest.approx(ring.line + by)
+    assert ring.moved(centre, 0.5).line == pytest.approx(centre + 0.5 * (ring.line - centre))
+
+
+def test_a_ring_turns_at_its_corners_and_not_at_smooth_joints():
+    assert arch().turns == pytest.approx([0, 0, np.pi / 2, np.pi / 2], abs=0.08)
+    assert FACING.flat(FACING.seen(np.array([[3.0, 4.0]]))) == pytest.approx(np.array([[3.0, 4.0]]))

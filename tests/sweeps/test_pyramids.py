@@ -1,0 +1,36 @@
+"""Pyramids from the corners of a drawing."""
+
+import numpy as np
+import pytest
+from round_sketches import PYRAMID, drawn
+from sketches import ink_of
+
+from sketch2shape.strokes import thin, trace_skeleton
+from sketch2shape.sweeps import centres, pyramids
+
+
+def bases(lines):
+    skeleton = thin(ink_of(drawn(PYRAMID, lines)))
+    size = float(np.hypot(*np.ptp(skeleton.points, axis=0)))
+    strokes = trace_skeleton(skeleton, 1.5)
+    return list(pyramids([strokes], centres(strokes, size), skeleton, size))
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed"])
+def test_the_base_is_a_cycle_of_corners_joined_to_the_point(lines):
+    found = [s for s in bases(lines) if np.hypot(*(s.way.centre - PYRAMID.way.centre)) < 4 and s.regular is None]
+    true = PYRAMID.rings[0].vertices
+    off = [
+        np.linalg.norm(s.rings[0].vertices[:, None] - true, axis=2).min(axis=1).max()
+        for s in found
+        if len(s.rings[0].vertices) == 4
+    ]
+    assert min(off) < 4
+
+
+def test_of_a_base_half_hidden_the_rest_follows():
+    found = [s for s in bases("removed") if s.regular is not None and len(s.rings[0].vertices) == 4]
+    true = PYRAMID.rings[0].vertices
+    # a parallelogram: the hidden corner lies opposite the near one
+    hidden = true[0] + true[2] - true[1]
+    assert min(np.hypot(*(s.rings[0].vertices - hidden).T).min() for s in found) < 6

@@ -1,0 +1,73 @@
+"""What a drawing of a sweep shows, and what it hides."""
+
+import numpy as np
+import pytest
+from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, ellipse
+
+from sketch2shape.sweeps import Sweep, Way, redraw, seen_vertices
+
+
+def parts(sweep):
+    """Share of the sampled length that is seen, on the border, hidden."""
+    made = redraw(sweep, 2.0, 3.0)
+    return np.bincount(made.depth, made.length, 3) / made.length.sum()
+
+
+def test_the_far_half_of_a_cylinders_bottom_is_hidden():
+    made = redraw(CYLINDER, 2.0, 3.0)
+    bottom = (made.depth == 2) & (made.points[:, 1] > 200)
+    assert (made.points[bottom, 1] < 270).all()
+    rim = np.abs(made.points[:, 0] - 240) < 60
+    far = rim & (np.abs(made.points[:, 1] - 240) < 8)
+    near = rim & (made.points[:, 1] > 300)
+    assert (made.depth[far] == 2).all()
+    assert (made.depth[near] == 0).all()
+
+
+def test_silhouettes_touch_both_rims():
+    (a, b) = redraw(CYLINDER, 2.0, 3.0).silhouettes
+    xs = sorted([a[0, 0], b[0, 0]])
+    assert xs == pytest.approx([150, 330], abs=4)
+    assert (a[1] - a[0]).tolist() == pytest.approx([0, 150])
+
+
+def test_a_tubes_inner_side_is_hidden_but_for_its_rim():
+    assert parts(TUBE)[2] > 1.5 * parts(CYLINDER)[2]
+
+
+def test_a_deep_hole_shows_nothing_of_its_far_rim_and_a_shallow_one_does():
+    def seen(depth):
+        made = redraw(Sweep((ellipse(), ellipse(radius=60.0)), Way(np.array([0.0, depth]))), 2.0, 2.0)
+        at = made.points - [240, 120 + depth]
+        rim = np.abs((at[:, 0] / 60) ** 2 + (at[:, 1] / 24) ** 2 - 1) < 0.05
+        return (made.depth[rim] == 0).mean()
+
+    assert seen(150.0) == 0
+    assert seen(12.0) > 0.3
+
+
+def test_the_back_of_a_cones_base_is_hidden_from_above_and_seen_from_below():
+    made = redraw(CONE, 2.0, 3.0)
+    back = (made.points[:, 1] < 262) & (made.points[:, 1] > 240) & (np.abs(made.points[:, 0] - 240) < 55)
+    rim = np.abs(((made.points - [240, 280]) / [90, 36]) ** 2 @ [1, 1] - 1) < 0.02
+    assert (made.depth[back & rim] == 2).all()
+    below = Sweep(CONE.rings, CONE.way, is_near=True)
+    assert (redraw(below, 2.0, 3.0).depth[: len(CONE.rings[0].line)] == 0).all()
+
+
+def test_numbers_of_sweeps():
+    assert CYLINDER.shape_numbers == 3 + 1
+    assert PYRAMID.shape_numbers == 8
+    assert [CYLINDER.way.numbers, CONE.way.numbers, Way(np.zeros(2), np.zeros(2), 0.5).numbers] == [2, 2, 3]
+
+
+def test_reversing_twice_changes_nothing():
+    again = ARCH.reversed().reversed()
+    assert again.rings[0].line == pytest.approx(ARCH.rings[0].line)
+    assert again.way.shift.tolist() == ARCH.way.shift.tolist()
+
+
+def test_vertices_of_the_back_that_the_front_hides():
+    seen = seen_vertices(ARCH, 3.0)
+    # the arch goes up and to the right: its left corners lie behind it
+    assert seen.tolist() == [False, True, True, False]
