@@ -211,7 +211,13 @@ def evenly(loop: Floats) -> Floats:
 
 
 def is_flat(way: Way, line: Floats, scene: Scene) -> bool:
-    """Whether a way leads an outline hardly anywhere: any outline is its own image."""
+    """Whether a way leads an outline hardly anywhere: any outline is its own image.
+
+    So is a round one with its point inside it: no line of a cone's side would be drawn.
+    """
+    if way.is_pointed and way.centre is not None:
+        x, y = way.centre.tolist()
+        return cv2.pointPolygonTest(line.astype(np.float32), (x, y), True) > -SHALLOW * scene.size
     return float(np.median(np.hypot(*way.of(line).T))) < max(
         SHALLOW_PENS * scene.skeleton.pen_width, SHALLOW * scene.size
     )

@@ -197,7 +197,7 @@ def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> Found
 def _moved(found: FoundSweep, scene: Scene) -> FoundSweep:
     reach = max(4.0, 0.012 * scene.size)
     moved = polished(found.sweep, scene.tree, reach)
-    if is_flat(moved.way, moved.rings[0].line, scene):
+    if moved.has_arcs and is_flat(moved.way, moved.rings[0].line, scene):
         return found
     return min(found, _priced(scene, moved), key=_nats)
 
