@@ -174,9 +174,7 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     reach = max(LEAST_APART, APART * view.pen)
     laid = coincidences(a, span, lengths + 1e-9, np.asarray((depth == 0).mean(axis=1)), reach)
     off = interpolated(view.skeleton.distance, samples[0])
-    return Comparison(
-        view, lengths, off, wanted, hidden * each, every, seen, _misses(v[:m], v[m:], drawn), m, laid
-    )
+    return Comparison(view, lengths, off, wanted, hidden * each, every, seen, _misses(v[:m], v[m:], drawn), m, laid)
 
 
 def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:

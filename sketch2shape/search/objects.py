@@ -26,11 +26,8 @@ AnyFound: TypeAlias = Found | FoundSweep
 """An answer for a group of ink, in its working pixels or those of the sheet."""
 
 
-def find_all(ink: Ink, *, quick: bool = False) -> list[AnyFound]:
-    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels.
-
-    quick : take what the first attempt gives, as while somebody is still drawing
-    """
+def find_all(ink: Ink) -> list[AnyFound]:
+    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
     found: list[AnyFound] = []
     vain = 0
     for group in split_groups(ink):
@@ -38,7 +35,7 @@ def find_all(ink: Ink, *, quick: bool = False) -> list[AnyFound]:
             break
         if vain >= MOST_VAIN:
             break
-        best = find_one(group, quick=quick)
+        best = find_one(group)
         vain += best is None or best.confidence < REFUSE_BELOW
         if best is not None and (best.confidence >= REFUSE_BELOW or not found):
             found.append(best.shifted(group.offset))
@@ -48,8 +45,8 @@ def find_all(ink: Ink, *, quick: bool = False) -> list[AnyFound]:
     return found
 
 
-def find_one(group: Group, *, quick: bool = False) -> AnyFound | None:
-    """The best answer for the ink of one object, or None; quick: of the first attempt."""
+def find_one(group: Group) -> AnyFound | None:
+    """The best answer for the ink of one object, or None."""
     seen = observed(group)
     if seen is None:
         return None
@@ -57,7 +54,7 @@ def find_one(group: Group, *, quick: bool = False) -> AnyFound | None:
     swept = find_sweep(seen) if bowed >= BOWED else None
     if swept is not None and swept.confidence >= TRUSTED:
         return swept
-    straight = find(seen, quick=quick)
+    straight = find(seen)
     doubted = straight is None or straight.confidence < TRUSTED
     if swept is None and (doubted or bowed >= SOME_BOWED):
         swept = find_sweep(seen)
