@@ -32,7 +32,7 @@ from sketch2shape.ink import Group
 from sketch2shape.model import Floats
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
 from sketch2shape.search.tolerances import Traced, is_wireframe
-from sketch2shape.strokes import bridged, thin
+from sketch2shape.strokes import Skeleton, bridged, thin
 
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
