@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.evidence import REFUSE_BELOW
+from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import TRUSTED, Ink
 from sketch2shape.search.search import Found, find, observed
@@ -20,8 +22,13 @@ LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 BOWED, SOME_BOWED = 0.08, 0.02
 """Part of the ink on bowed lines from which on arcs are looked for first, and from which on at all."""
-LEAST_BOW, LEAST_LENGTH = 0.08, 0.06
-"""Height of a bow over its chord, and length over the drawing's size, from which a line is no straight one."""
+LEAST_LENGTH = 0.05
+"""Length over the drawing's size from which a line may be an arc."""
+STRAY, SHORT = 1.0, 0.06
+"""Pixels by which chords may stray from a line, and length over the line's below which they say nothing."""
+LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
+"""Bends of an arc at least, angle of one from which it is a corner, and of all together, radians."""
+
 AnyFound: TypeAlias = Found | FoundSweep
 """An answer for a group of ink, in its working pixels or those of the sheet."""
 
@@ -52,7 +59,7 @@ def find_one(group: Group) -> AnyFound | None:
         return None
     bowed = bowed_part(seen.skeleton, seen.view.size)
     swept = find_sweep(seen) if bowed >= BOWED else None
-    if swept is not None and swept.confidence >= TRUSTED:
+    if swept is not None and _is_proper(swept) and swept.confidence >= TRUSTED:
         return swept
     straight = find(seen)
     doubted = straight is None or straight.confidence < TRUSTED
@@ -63,12 +70,16 @@ def find_one(group: Group) -> AnyFound | None:
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
     """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen."""
-    if swept is None or not (swept.sweep.has_arcs or swept.sweep.way.is_pointed):
+    if swept is None or not _is_proper(swept):
         return straight
     if straight is None or straight.energy is None:
         return swept
     gap = straight.energy.total - swept.nats
     return swept.against(gap) if gap > 0 else straight
+
+
+def _is_proper(swept: FoundSweep) -> bool:
+    return swept.sweep.has_arcs or swept.sweep.way.is_pointed
 
 
 def bowed_part(skeleton: Skeleton, size: float) -> float:
@@ -78,19 +89,13 @@ def bowed_part(skeleton: Skeleton, size: float) -> float:
 
 
 def _is_bowed(path: NDArray[np.int32], least: float) -> bool:
-    """Whether the middle of a line lies off its chord, and both its halves to one side."""
+    """Whether a line turns, and nowhere sharply: the chain of chords that stands for an arc has many small turns."""
     if len(path) < max(least, 8):
         return False
-    a, b = path[0].astype(float), path[-1].astype(float)
-    chord = b - a
-    long = float(np.hypot(*chord))
-    if long < 0.3 * len(path):
-        return True
-    off = ((path[:, 0] - a[0]) * chord[1] - (path[:, 1] - a[1]) * chord[0]) / long
-    quarter, half, last = off[len(off) // 4], off[len(off) // 2], off[3 * len(off) // 4]
-    # a corner's sides run straight to it: at their middles they are half as far off
-    return bool(abs(half) > LEAST_BOW * long and min(quarter / half, last / half) > BENT)
-
-
-BENT = 0.62
-"""Distance from the chord at a quarter of a bowed line, over that at its middle: 0.75 for an arc, 0.5 for a corner."""
+    bends = cv2.approxPolyDP(path[:, None], STRAY, False)[:, 0].astype(float)
+    span = np.diff(bends, axis=0)
+    turn = np.abs(np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1)))
+    # the ends of a line are bent where it meets others
+    long = np.hypot(*span.T)
+    inner = turn[(long[:-1] > SHORT * len(path)) & (long[1:] > SHORT * len(path))]
+    return len(inner) >= LEAST_BENDS and float(inner.max()) < SHARP and float(inner.sum()) > LEAST_TURN

@@ -43,6 +43,8 @@ ALIKE = 0.02
 """Fraction of the drawing's size within which two outlines, or their images, are one."""
 SHALLOW_PENS, SHALLOW = 3.0, 0.02
 """Pens, and fraction of the drawing's size, below which there is no depth."""
+LEAST_SCALE = 0.12
+"""Scale of a smaller face, below which it is a point."""
 COARSE = 0.01
 """Fraction of the drawing's size by which a hand's straight line may stray."""
 
@@ -218,6 +220,8 @@ def is_flat(way: Way, line: Floats, scene: Scene) -> bool:
     if way.is_pointed and way.centre is not None:
         x, y = way.centre.tolist()
         return cv2.pointPolygonTest(line.astype(np.float32), (x, y), True) > -SHALLOW * scene.size
+    if way.centre is not None and not LEAST_SCALE < way.scale < 1 / LEAST_SCALE:
+        return True
     return float(np.median(np.hypot(*way.of(line).T))) < max(
         SHALLOW_PENS * scene.skeleton.pen_width, SHALLOW * scene.size
     )

@@ -41,6 +41,8 @@ APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
 LEANS, PLUMB = 6.0, 0.03
 """Nats for a point that is not above the middle of its base, and radians by which one that is may be drawn off."""
+LEAST_BEHIND = 0.08
+"""Length of what is seen behind a near front face, over that of its outline, at least."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -118,11 +120,12 @@ def find_sweep(seen: Observed) -> FoundSweep | None:
             first += [_priced(scene, s) for s in islice(cuts, 1)]
         begun += [(f, cuts) for f in first]
         at_a_glance = at_a_glance or (begun[-1] if first else None)
+    begun = [b for b in begun if _shows_depth(b[0])]
     some = _unlike(sorted(begun, key=lambda b: _nats(b[0])), scene.size)
     chosen = some[:MOST_IMPROVED]
-    if at_a_glance is not None and at_a_glance not in chosen:
+    if at_a_glance is not None and at_a_glance not in chosen and _shows_depth(at_a_glance[0]):
         chosen.append(at_a_glance)
-    improved = sorted((_improved(f, rest, scene) for f, rest in chosen), key=_nats)
+    improved = sorted(filter(_shows_depth, (_improved(f, rest, scene) for f, rest in chosen)), key=_nats)
     if not improved:
         return None
     best = improved[0]
@@ -146,6 +149,15 @@ def _leaning(sweep: Sweep) -> float:
     if y > 0:
         return LEANS + rare
     return rare + float(min(0.5 * (np.arctan2(abs(x), -y) / PLUMB) ** 2, LEANS))
+
+
+def _shows_depth(found: FoundSweep) -> bool:
+    """Whether anything is to be seen of it but its front face."""
+    if not found.sweep.is_near:
+        return True
+    front = sum(len(ring.line) for ring in found.sweep.rings)
+    wanted = found.compared.wanted[:, 0]
+    return float(wanted[front:].sum()) > LEAST_BEHIND * float(wanted[:front].sum())
 
 
 def _dashed(found: FoundSweep, scene: Scene) -> FoundSweep:

@@ -5,8 +5,7 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
 
 from sketch2shape.geometry.homology import apply
-from sketch2shape.search import find_all
-from sketch2shape.search.stage import as_object
+from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
 
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
 TWO_POINT = apply(np.eye(3) + np.outer([900.0, -200, 1], [-2e-4, 2e-4, 0.12]), SQUARE)
@@ -20,7 +19,10 @@ COMB = np.array(
 
 def found_in(picture):
     ink = ink_of(picture)
-    return [as_object(f.rings, f.evidence, ink) for f in find_all(ink)]
+    return [
+        sweep_as_object(f, ink) if isinstance(f, FoundSweep) else as_object(f.rings, f.evidence, ink)
+        for f in find_all(ink)
+    ]
 
 
 @pytest.mark.parametrize(
