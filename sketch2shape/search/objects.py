@@ -92,7 +92,7 @@ def _is_bowed(path: NDArray[np.int32], least: float) -> bool:
     """Whether a line turns, and nowhere sharply: the chain of chords that stands for an arc has many small turns."""
     if len(path) < max(least, 8):
         return False
-    bends = cv2.approxPolyDP(path[:, None], STRAY, False)[:, 0].astype(float)
+    bends = cv2.approxPolyDP(path[:, None].astype(np.float32), STRAY, False)[:, 0].astype(float)
     span = np.diff(bends, axis=0)
     turn = np.abs(np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1)))
     # the ends of a line are bent where it meets others

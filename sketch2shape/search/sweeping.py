@@ -13,6 +13,7 @@ from typing import TypeAlias
 
 import cv2
 import numpy as np
+from scipy.spatial import cKDTree
 
 from sketch2shape.evidence import STROKE, Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses
 from sketch2shape.fit import polished
@@ -41,8 +42,9 @@ APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
 LEANS, PLUMB = 6.0, 0.03
 """Nats for a point that is not above the middle of its base, and radians by which one that is may be drawn off."""
-LEAST_BEHIND = 0.08
-"""Length of what is seen behind a near front face, over that of its outline, at least."""
+LEAST_BEHIND, BESIDE = 0.08, 0.02
+"""Length of what is seen behind a near front face, over that of its outline, at least; and fraction of the drawing's
+size within which it is beside that outline."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -120,12 +122,14 @@ def find_sweep(seen: Observed) -> FoundSweep | None:
             first += [_priced(scene, s) for s in islice(cuts, 1)]
         begun += [(f, cuts) for f in first]
         at_a_glance = at_a_glance or (begun[-1] if first else None)
-    begun = [b for b in begun if _shows_depth(b[0])]
+    begun = [b for b in begun if _shows_depth(b[0], scene)]
     some = _unlike(sorted(begun, key=lambda b: _nats(b[0])), scene.size)
     chosen = some[:MOST_IMPROVED]
-    if at_a_glance is not None and at_a_glance not in chosen and _shows_depth(at_a_glance[0]):
+    if at_a_glance is not None and at_a_glance not in chosen and _shows_depth(at_a_glance[0], scene):
         chosen.append(at_a_glance)
-    improved = sorted(filter(_shows_depth, (_improved(f, rest, scene) for f, rest in chosen)), key=_nats)
+    improved = sorted(
+        (f for f in (_improved(f, rest, scene) for f, rest in chosen) if _shows_depth(f, scene)), key=_nats
+    )
     if not improved:
         return None
     best = improved[0]
@@ -151,13 +155,18 @@ def _leaning(sweep: Sweep) -> float:
     return rare + float(min(0.5 * (np.arctan2(abs(x), -y) / PLUMB) ** 2, LEANS))
 
 
-def _shows_depth(found: FoundSweep) -> bool:
-    """Whether anything is to be seen of it but its front face."""
+def _shows_depth(found: FoundSweep, scene: Scene) -> bool:
+    """Whether enough is to be seen of it beside its front face."""
     if not found.sweep.is_near:
         return True
     front = sum(len(ring.line) for ring in found.sweep.rings)
-    wanted = found.compared.wanted[:, 0]
-    return float(wanted[front:].sum()) > LEAST_BEHIND * float(wanted[:front].sum())
+    drawn = redraw(found.sweep, scene.size / 100, scene.margin)
+    behind = np.arange(len(drawn.points)) >= front
+    seen = np.flatnonzero(behind & (drawn.depth == 0))
+    if not len(seen):
+        return False
+    apart = cKDTree(drawn.points[:front]).query(drawn.points[seen])[0] > BESIDE * scene.size
+    return float(drawn.length[seen[apart]].sum()) > LEAST_BEHIND * float(drawn.length[:front].sum())
 
 
 def _dashed(found: FoundSweep, scene: Scene) -> FoundSweep:
