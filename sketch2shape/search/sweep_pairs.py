@@ -118,27 +118,24 @@ class Scene:
 class Pair(NamedTuple):
     """An outline with a way to the back face.
 
-    value    : see `Cells.value`
     loop     : (k, 2) float, pixels
     way      : to the back face
     is_near  : whether the outline is that of the nearer face
     is_whole : whether all of the outline has an image on ink, hidden or not
-    places   : (6,) float, pixels: extent and middle of the outline, middle of its image
+    value    : see `Cells.value`
     """
 
-    value: float
     loop: Floats
     way: Way
-    is_near: bool
-    is_whole: bool
-    places: Floats
+    is_near: bool = True
+    is_whole: bool = False
+    value: float = 0.0
 
-    @classmethod
-    def of(cls, cells: Cells, loop: Floats, way: Way, *, is_near: bool = True, is_whole: bool = False) -> Pair:
-        """The pair, looked at in coarse cells."""
-        middle = loop.mean(axis=0)
-        places = np.concatenate([np.ptp(loop, axis=0), middle, middle + way.of(middle[None])[0]])
-        return cls(cells.value(loop, way, is_near=is_near), loop, way, is_near, is_whole, places)
+    @property
+    def places(self) -> Floats:
+        """(6,) float, pixels: extent and middle of the outline, middle of its image."""
+        middle = self.loop.mean(axis=0)
+        return np.concatenate([np.ptp(self.loop, axis=0), middle, middle + self.way.of(middle[None])[0]])
 
     @property
     def tapers(self) -> bool:
@@ -146,39 +143,51 @@ class Pair(NamedTuple):
         return self.way.centre is not None and not self.way.is_pointed
 
 
-def distinct(pairs: Iterable[Pair], size: float) -> Iterator[Pair]:
-    """Pairs without those that say what a better one says."""
-    kept: list[Pair] = []
-    for pair in pairs:
-        if pair.tapers and sum(k.loop is pair.loop and k.tapers for k in kept) >= TAPERS:
-            continue
-        alike = [k for k in kept if (k.is_near, k.is_whole) == (pair.is_near, pair.is_whole)]
-        alike = [k for k in alike if k.way.is_pointed == pair.way.is_pointed]
-        if alike and (np.abs(np.array([k.places for k in alike]) - pair.places).max(axis=1) < ALIKE * size).any():
-            continue
-        kept.append(pair)
-        yield pair
-
-
-def pairs_of(scene: Scene) -> Iterator[Pair]:
-    """Outlines and ways that a glance at the ink supports."""
+def pairs_of(scene: Scene) -> list[Pair]:
+    """Outlines and ways that a glance at the ink supports, those that explain most of it first."""
     cells = Cells.of(scene.skeleton, scene.size, scene.group.solid)
+    some = (
+        p._replace(value=cells.value(p.loop, p.way, is_near=p.is_near))
+        for p in _distinct(_all_pairs(scene), scene.size)
+    )
+    ranked = sorted(some, key=lambda p: -p.value)
+    tapers: dict[int, int] = {}
+    kept = []
+    for pair in ranked:
+        tapers[id(pair.loop)] = tapers.get(id(pair.loop), 0) + pair.tapers
+        if not pair.tapers or tapers[id(pair.loop)] <= TAPERS:
+            kept.append(pair)
+    return kept
+
+
+def _distinct(pairs: Iterable[Pair], size: float) -> Iterator[Pair]:
+    """Pairs without those that say what another says."""
+    kept: dict[tuple[bool, bool, bool], list[Floats]] = {}
+    for pair in pairs:
+        places = pair.places
+        alike = kept.setdefault((pair.is_near, pair.is_whole, pair.way.is_pointed), [])
+        if not alike or (np.abs(np.array(alike) - places).max(axis=1) >= ALIKE * size).all():
+            alike.append(places)
+            yield pair
+
+
+def _all_pairs(scene: Scene) -> Iterator[Pair]:
     along = np.concatenate([directions(s, scene.size) for s in scene.strokes])
     along = distinct_directions(along)
     meeting = scene.meeting
     for loop in scene.loops[:MOST_OUTLINES]:
         for way in ways_of(loop, scene.skeleton, along, meeting, scene.size):
-            yield Pair.of(cells, loop, way)
+            yield Pair(loop, way)
     for loop in scene.ellipses:
         for centre in meeting:
             point = Way(np.zeros(2), centre, 0.0)
             for is_near in (True, False):
-                yield Pair.of(cells, loop, point, is_near=is_near)
+                yield Pair(loop, point, is_near)
     reach = max(3.0, 0.5 * scene.skeleton.pen_width)
     for shift in shifts(scene.skeleton, along, scene.size):
         for d in (shift, -shift):
             for loop in coherent_loops(scene.skeleton, d, reach, scene.size)[:1]:
-                yield Pair.of(cells, loop, Way(d), is_whole=True)
+                yield Pair(loop, Way(d), is_whole=True)
 
 
 def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:

@@ -20,7 +20,7 @@ from sketch2shape.fit import polished
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.search import Observed
-from sketch2shape.search.sweep_pairs import ALIKE, Scene, are_close, cut, distinct, evenly, is_flat, pairs_of
+from sketch2shape.search.sweep_pairs import ALIKE, Scene, are_close, cut, evenly, is_flat, pairs_of
 from sketch2shape.sweeps import (
     Outline,
     Sweep,
@@ -106,13 +106,12 @@ def find_sweep(seen: Observed) -> FoundSweep | None:
     """The best sweep for the ink of one object, or None."""
     skeleton = seen.skeleton
     scene = Scene(seen.drawn, skeleton, seen.view)
-    pairs = distinct(sorted(pairs_of(scene), key=lambda p: -p.value), scene.size)
     begun: list[_Begun] = [
         (_priced(scene, s), iter(())) for s in pyramids(scene.every_stroke, scene.meeting, skeleton, scene.size)
     ]
     best_value = -np.inf
     at_a_glance: _Begun | None = None
-    for pair in islice(pairs, MOST_PRICED):
+    for pair in pairs_of(scene)[:MOST_PRICED]:
         best_value = max(best_value, pair.value)
         if pair.value < best_value - WORSE:
             break
