@@ -112,7 +112,8 @@ class Scene:
         """Closed lines (k, 2): what solid lines enclose, and ellipses."""
         enclosed = enclosed_loops(self.group.solid, self.skeleton.pen_width)
         near = ALIKE * self.size
-        return [*enclosed, *(e for e in self.ellipses if not any(are_close(e, loop, near) for loop in enclosed))]
+        # what other lines cross is enclosed in pieces, and roughly: an ellipse is the better line
+        return [*self.ellipses, *(e for e in enclosed if not any(are_close(e, loop, near) for loop in self.ellipses))]
 
 
 class Pair(NamedTuple):

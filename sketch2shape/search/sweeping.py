@@ -15,7 +15,7 @@ import cv2
 import numpy as np
 from scipy.spatial import cKDTree
 
-from sketch2shape.evidence import STROKE, Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses
+from sketch2shape.evidence import Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses
 from sketch2shape.fit import polished
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
@@ -45,6 +45,8 @@ LEANS, PLUMB = 6.0, 0.03
 LEAST_BEHIND, BESIDE = 0.08, 0.02
 """Length of what is seen behind a near front face, over that of its outline, at least; and fraction of the drawing's
 size within which it is beside that outline."""
+LIKELY_HOLE = 12.0
+"""Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -78,8 +80,9 @@ class FoundSweep:
 
     @property
     def nats(self) -> float:
-        """What the object and the drawing cost, and how it stands."""
-        return self.energy.total + _leaning(self.sweep)
+        """What the object and the drawing cost, how it stands, and that a closed line in a face is seldom foreign."""
+        holes = len(self.sweep.rings) - 1
+        return self.energy.total + _leaning(self.sweep) - LIKELY_HOLE * holes
 
     @property
     def noise(self) -> float:
@@ -238,8 +241,7 @@ def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
             outer = tuple(replace(r, frame=told.frame) for r in rings) if not found.sweep.has_arcs else rings
             sweep = replace(found.sweep, rings=(*outer, told.outline))
             holed = _moved(_priced(scene, sweep), scene)
-            # a closed line inside a face is hardly a foreign stroke
-            found = holed if _nats(holed) < _nats(found) + STROKE else found
+            found = min(found, holed, key=_nats)
     return found
 
 
