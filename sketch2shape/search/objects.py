@@ -64,7 +64,7 @@ def find_one(group: Group) -> AnyFound | None:
     straight = find(seen)
     doubted = straight is None or straight.confidence < TRUSTED
     if swept is None and (doubted or bowed >= SOME_BOWED):
-        swept = find_sweep(seen)
+        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED)
     return _better(straight, swept)
 
 

@@ -105,8 +105,8 @@ def _priced(scene: Scene, sweep: Sweep) -> FoundSweep:
     return FoundSweep(sweep, compared, compared.energy(np.inf))
 
 
-def find_sweep(seen: Observed) -> FoundSweep | None:
-    """The best sweep for the ink of one object, or None."""
+def find_sweep(seen: Observed, *, arcs: bool = True) -> FoundSweep | None:
+    """The best sweep for the ink of one object, or None; without arcs only pyramids are looked for."""
     skeleton = seen.skeleton
     scene = Scene(seen.drawn, skeleton, seen.view)
     begun: list[_Begun] = [
@@ -114,7 +114,7 @@ def find_sweep(seen: Observed) -> FoundSweep | None:
     ]
     best_value = -np.inf
     at_a_glance: _Begun | None = None
-    for pair in pairs_of(scene)[:MOST_PRICED]:
+    for pair in pairs_of(scene)[:MOST_PRICED] if arcs else ():
         best_value = max(best_value, pair.value)
         if pair.value < best_value - WORSE:
             break
