@@ -1,54 +1,54 @@
-"""Weights of the witnesses of sweeps, written by `scripts/fit_confidence.py`; see `calibration`."""
+"""Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`."""
 
 CENTRE = (
-    0.05,  # unexplained
-    0.03,  # attached
-    0.01,  # closed
-    0.5,  # missing
-    0.4,  # noise
-    4,  # gap
-    2,  # numbers
-    0.1,  # unseen
-    3,  # shallow
-    5,  # small
-    0.3,  # pointed
-    0.05,  # inferred
-    0.3,  # standing
-    0.2,  # holes
-    0.1,  # lone
+    0.0492,  # unexplained
+    0.0047,  # attached
+    0.0113,  # closed
+    0.5302,  # missing
+    0.8954,  # noise
+    4.0399,  # gap
+    1.8946,  # numbers
+    0.0818,  # unseen
+    3.6447,  # shallow
+    5.1796,  # small
+    0.2917,  # pointed
+    0.0833,  # inferred
+    0.6537,  # standing
+    0.2917,  # holes
+    0.3333,  # lone
 )
 SPREAD = (
-    0.15,  # unexplained
-    0.1,  # attached
-    0.05,  # closed
-    1,  # missing
-    0.5,  # noise
-    1,  # gap
-    0.5,  # numbers
-    0.2,  # unseen
-    0.8,  # shallow
-    0.7,  # small
-    0.45,  # pointed
-    0.2,  # inferred
-    1,  # standing
-    0.4,  # holes
-    0.3,  # lone
+    0.1605,  # unexplained
+    0.0174,  # attached
+    0.0729,  # closed
+    1.2945,  # missing
+    0.7806,  # noise
+    1.3755,  # gap
+    0.4616,  # numbers
+    0.1349,  # unseen
+    0.7621,  # shallow
+    0.4682,  # small
+    0.4545,  # pointed
+    0.2764,  # inferred
+    1.8043,  # standing
+    0.5385,  # holes
+    0.4714,  # lone
 )
 WEIGHT = (
-    -1.5,  # unexplained
-    -0.8,  # attached
-    -0.6,  # closed
-    -0.8,  # missing
-    -0.5,  # noise
-    0.6,  # gap
-    -0.3,  # numbers
-    -0.3,  # unseen
-    0.2,  # shallow
-    0.2,  # small
-    0,  # pointed
-    -0.5,  # inferred
-    -0.4,  # standing
-    0,  # holes
-    -0.5,  # lone
+    -0.2062,  # unexplained
+    -0.1597,  # attached
+    0.0,  # closed
+    -0.6327,  # missing
+    -0.374,  # noise
+    0.2462,  # gap
+    -0.4395,  # numbers
+    -0.0514,  # unseen
+    0.4873,  # shallow
+    0.7925,  # small
+    0.2177,  # pointed
+    0.0,  # inferred
+    -0.9,  # standing
+    0.106,  # holes
+    -0.2906,  # lone
 )
-BIAS = 1.5
+BIAS = 1.2738

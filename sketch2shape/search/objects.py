@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import cv2
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, split_groups
-from sketch2shape.model import TRUSTED, Ink
+from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.search import Found, find, observed
 from sketch2shape.search.sweeping import FoundSweep, find_sweep
 from sketch2shape.strokes import Skeleton
@@ -24,8 +24,9 @@ BOWED, SOME_BOWED = 0.08, 0.02
 """Part of the ink on bowed lines from which on arcs are looked for first, and from which on at all."""
 LEAST_LENGTH = 0.05
 """Length over the drawing's size from which a line may be an arc."""
-STRAY, SHORT = 1.0, 0.06
-"""Pixels by which chords may stray from a line, and length over the line's below which they say nothing."""
+STRAY, SHORT, SHORT_PENS = 1.0, 5.0, 3.0
+"""Pixels by which chords may stray from a line; pixels and pens of length below which they say nothing, as a pen
+rounds corners."""
 LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 """Bends of an arc at least, angle of one from which it is a corner, and of all together, radians."""
 
@@ -84,18 +85,24 @@ def _is_proper(swept: FoundSweep) -> bool:
 
 def bowed_part(skeleton: Skeleton, size: float) -> float:
     """Part of the ink that lies on bowed lines, 0..1."""
-    bowed = sum(len(p) for p in skeleton.paths if _is_bowed(p, LEAST_LENGTH * size))
+    short = max(SHORT, SHORT_PENS * skeleton.pen_width)
+    bowed = sum(_bowed_length(p, LEAST_LENGTH * size, short) for p in skeleton.paths)
     return bowed / max(sum(map(len, skeleton.paths)), 1)
 
 
-def _is_bowed(path: NDArray[np.int32], least: float) -> bool:
-    """Whether a line turns, and nowhere sharply: the chain of chords that stands for an arc has many small turns."""
+def _bowed_length(path: NDArray[Any], least: float, short: float) -> float:
+    """Length of those parts of a line that turn, and nowhere sharply: an arc's chords have many small turns."""
     if len(path) < max(least, 8):
-        return False
+        return 0.0
     bends = cv2.approxPolyDP(path[:, None].astype(np.float32), STRAY, False)[:, 0].astype(float)
     span = np.diff(bends, axis=0)
+    long = np.hypot(*span.T)
     turn = np.abs(np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1)))
     # the ends of a line are bent where it meets others
-    long = np.hypot(*span.T)
-    inner = turn[(long[:-1] > SHORT * len(path)) & (long[1:] > SHORT * len(path))]
-    return len(inner) >= LEAST_BENDS and float(inner.max()) < SHARP and float(inner.sum()) > LEAST_TURN
+    turn[np.minimum(long[:-1], long[1:]) < short] = 0.0
+    parts = np.split(np.arange(len(span)), np.flatnonzero(turn >= SHARP) + 1)
+    return float(sum(long[part].sum() for part in parts if _is_bowed(turn[part[:-1]], float(long[part].sum()), least)))
+
+
+def _is_bowed(turn: Floats, long: float, least: float) -> bool:
+    return bool(long >= least and np.count_nonzero(turn) >= LEAST_BENDS and float(turn.sum()) > LEAST_TURN)
