@@ -30,6 +30,9 @@ rounds corners."""
 LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 """Bends of an arc at least, angle of one from which it is a corner, and of all together, radians."""
 
+EVEN_ODDS = 0.5
+"""Confidence below which an answer with arcs or a point is likelier wrong than right, and not given."""
+
 AnyFound: TypeAlias = Found | FoundSweep
 """An answer for a group of ink, in its working pixels or those of the sheet."""
 
@@ -71,7 +74,7 @@ def find_one(group: Group) -> AnyFound | None:
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
     """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen."""
-    if swept is None or not _is_proper(swept):
+    if swept is None or not _is_proper(swept) or swept.confidence < EVEN_ODDS:
         return straight
     if straight is None or straight.energy is None:
         return swept
