@@ -29,6 +29,10 @@ DRAWINGS = {
     "sheet.png": "multi_wire/000.png",
     "drawings/a.png": "cut/000.png",
     "drawings/more/b.png": "dots/000.png",
+    "drawing.svg": "../vectors/svg/drawio.svg",
+    "board.excalidraw": "../vectors/excalidraw/turned.excalidraw",
+    "notes.inkml": "../vectors/inkml/upward.inkml",
+    "strokes.json": "../vectors/pen/bare.json",
 }
 """Name that the pages use -> a committed drawing."""
 

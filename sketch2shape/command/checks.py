@@ -21,7 +21,9 @@ def check_inputs(inputs: Sequence[str]) -> None:
     """
     for word in inputs if len(inputs) > 1 else ():
         ending = os.path.splitext(word)[1].lower()
-        if _is_output(ending) and (ending not in PICTURE_ENDINGS or not os.path.lexists(word)):
+        # strokes of a pen are JSON, as reports are: what is there is meant
+        is_picture = ending in PICTURE_ENDINGS or ending == ".json"
+        if _is_output(ending) and not (is_picture and os.path.lexists(word)):
             raise UsageError(
                 f"{word} is an output by its name, not a picture", remedy=f"give the output with -o {word}"
             )
