@@ -30,6 +30,7 @@ from sketch2shape.sweeps import (
     distinct_directions,
     ellipses,
     enclosed_loops,
+    pyramids,
     settled,
     shifts,
     ways_of,
@@ -116,6 +117,17 @@ class Scene:
         return [*self.ellipses, *(e for e in enclosed if not any(are_close(e, loop, near) for loop in self.ellipses))]
 
 
+    @cached_property
+    def cells(self) -> Cells:
+        """The drawing at a glance."""
+        return Cells.of(self.skeleton, self.size, self.group.solid)
+
+    @property
+    def pyramids(self) -> Iterator[Sweep]:
+        """Those that corners of the drawing may show."""
+        return pyramids(self.every_stroke, self.meeting, self.skeleton, self.size)
+
+
 class Pair(NamedTuple):
     """An outline with a way to the back face.
 
@@ -146,9 +158,8 @@ class Pair(NamedTuple):
 
 def pairs_of(scene: Scene) -> list[Pair]:
     """Outlines and ways that a glance at the ink supports, those that explain most of it first."""
-    cells = Cells.of(scene.skeleton, scene.size, scene.group.solid)
     some = (
-        p._replace(value=cells.value(p.loop, p.way, is_near=p.is_near))
+        p._replace(value=scene.cells.value(p.loop, p.way, is_near=p.is_near))
         for p in _distinct(_all_pairs(scene), scene.size)
     )
     ranked = sorted(some, key=lambda p: -p.value)

@@ -86,6 +86,14 @@ class Sweep:
         """How many numbers tell its front face, the shape of its circles told once."""
         return REGULAR if self.regular is not None else sum(ring.numbers for ring in self.rings) + self.has_arcs
 
+    @property
+    def edges(self) -> Floats:
+        """(k, 2, 2) float, pixels: the ends of the edges of the front face and of those to the back face."""
+        rings = [ring.vertices for ring in self.rings]
+        start, end = np.concatenate(rings), np.concatenate([np.roll(v, -1, axis=0) for v in rings])
+        ends = np.stack([np.concatenate([start, start]), np.concatenate([end, start + self.way.of(start)])], axis=1)
+        return np.asarray(ends)
+
     def shifted(self, by: Floats) -> Sweep:
         """The same moved in the picture."""
         centre = None if self.way.centre is None else self.way.centre + by
