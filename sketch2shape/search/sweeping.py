@@ -6,7 +6,7 @@ against the drawing in nats like all other hypotheses, moved to the ink, rid of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TypeAlias
@@ -147,10 +147,11 @@ def _likely_pyramids(scene: Scene) -> list[Sweep]:
     return sorted(distinct.values(), key=lambda p: -scene.cells.value_of_lines(p.edges))[:MOST_PYRAMIDS]
 
 
-def _places(pyramid: Sweep, near: float) -> tuple[bool, frozenset[tuple[int, int]]]:
-    """Which face is near, and where the corners lie, in squares with sides of so many pixels."""
-    squares = np.rint(pyramid.edges.reshape(-1, 2) / near).astype(int)
-    return pyramid.is_near, frozenset((int(x), int(y)) for x, y in squares)
+def _places(pyramid: Sweep, near: float) -> Hashable:
+    """Which face is near, and where apex and corners lie, in squares with sides of so many pixels."""
+    base = pyramid.rings[0].vertices
+    apex, *corners = np.rint(np.concatenate([base[:1] + pyramid.way.of(base[:1]), base]) / near).tolist()
+    return pyramid.is_near, tuple(apex), frozenset(map(tuple, corners))
 
 
 def _nats(found: FoundSweep) -> float:
