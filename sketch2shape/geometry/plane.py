@@ -50,7 +50,7 @@ def segment_distance(p: Floats, a: Floats, b: Floats) -> Floats:
 
 def line_crossings(a: Floats, along: Floats, b: Floats, across: Floats) -> tuple[Floats, Floats]:
     """Where lines a + s along and b + t across meet: s and t, broadcasting; not finite where they are parallel."""
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         gap, turn = b - a, cross(along, across)
         return cross(gap, across) / turn, cross(gap, along) / turn
 

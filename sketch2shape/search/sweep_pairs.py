@@ -116,7 +116,6 @@ class Scene:
         # what other lines cross is enclosed in pieces, and roughly: an ellipse is the better line
         return [*self.ellipses, *(e for e in enclosed if not any(are_close(e, loop, near) for loop in self.ellipses))]
 
-
     @cached_property
     def cells(self) -> Cells:
         """The drawing at a glance."""

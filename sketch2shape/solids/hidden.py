@@ -128,8 +128,9 @@ def _cuts(points: Floats, edges: Ints, number: int) -> Floats:
     flat = np.abs(cross(r, s)) < _PARALLEL * length2
     t, u = line_crossings(p, r, q, s)
     crossing = t[~flat & _within(t) & (u > -_AT_END) & (u < 1 + _AT_END)]
-    along = (np.concatenate([q, q + s]) - p) @ r / length2
-    ends = along[np.tile(flat, 2) & _within(along)]
+    to = np.concatenate([q, q + s]) - p
+    along = to @ r / length2
+    ends = along[np.tile(flat, 2) & _within(along) & (np.abs(cross(r, to)) < _AT_END * length2)]
     cuts: Floats = np.unique(np.concatenate([[0.0, 1.0], crossing, ends]).round(9))
     return cuts
 

@@ -78,8 +78,10 @@ def _sharp(solid: Solid) -> list[int]:
 
 def _joined(lines: list[Floats], grid: float) -> shapely.Geometry:
     """The lines, each part once; those that are seen as points are left out."""
-    kept = [line for line in lines if float(np.ptp(line, axis=0).max()) > 2 * grid]
-    return shapely.union_all([shapely.LineString(line) for line in kept], grid_size=grid)
+    kept = [shapely.LineString(line) for line in lines if float(np.ptp(line, axis=0).max()) > 2 * grid]
+    # where one line ends in another's middle, rounding may have moved it off that
+    ends = shapely.multipoints(shapely.get_coordinates(kept))
+    return shapely.union_all(shapely.snap(kept, ends, 2 * grid), grid_size=grid)
 
 
 def _lines(geometry: shapely.Geometry, grid: float) -> tuple[Floats, ...]:

@@ -9,6 +9,7 @@ from solids.bodies import BODIES
 from sketch2shape.lifting import lift
 from sketch2shape.model import FacePair, Projection, Solid, TwoFaceObject, two_face_boundary
 from sketch2shape.solids import edge_runs, tessellated
+from sketch2shape.solids.hidden import _cuts
 
 BOX = np.array([[100, 160], [300, 160], [300, 340], [100, 340.0]])
 NOTCHED = np.array([[100, 150], [180, 150], [180, 260], [300, 260], [300, 150], [380, 150], [380, 380], [100, 380.0]])
@@ -100,3 +101,8 @@ def test_runs_agree_with_casting_rays_at_the_triangles(radii, depth, taper):
             # a little off the exact middle, where no diagonal of a face runs through it by chance
             p = a + (0.517 * start + 0.483 * stop) * (b - a)
             assert covered(p @ VIEW, p[2], vertices, triangles, 1e-4 * depth) == (not visible)
+
+
+def test_an_edge_seen_as_a_point_cuts_only_lines_that_it_lies_on():
+    points = np.array([[0.0, 0.0], [10.0, 0.0], [5.0, 8.0], [5.0, 8.0], [3.0, 0.0], [3.0, 0.0]])
+    assert _cuts(points, np.array([[0, 1], [2, 3], [4, 5]]), 0).tolist() == [0.0, 0.3, 1.0]

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from solids.bodies import BODIES
 
-from sketch2shape.solids.views import VIEWS, view_of
+from sketch2shape.solids.views import VIEWS, _joined, view_of
 
 SOLIDS = {
     "box": facing([BOX]),
@@ -94,3 +94,9 @@ def test_from_before_a_prism_shows_its_face(n, part, turn):
 def test_a_house_from_the_side():
     view = view_of(facing([HOUSE]), "right")
     assert {round(float(y), 3) for line in view.visible for y in line[:, 1]} == {0.0, 30.0, 50.0}
+
+
+def test_half_a_line_that_rounding_moved_off_the_whole_is_no_second_line():
+    grid = 1e-6
+    whole, half = np.array([[0.0, 0.0], [1.0, 0.7]]), np.array([[0.5, 0.35 + grid], [1.0, 0.7]])
+    assert _joined([whole, half], grid).length == pytest.approx(np.hypot(1.0, 0.7))
