@@ -13,39 +13,39 @@ from __future__ import annotations
 import argparse
 import os
 import tempfile
-from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # two worker processes, a core each
 
-import numpy as np
 from repository import ROOT
-from scipy.optimize import minimize
 
 from evaluation import curves
 from evaluation.cases import Case, Wanted, collect
-from evaluation.markdown import percent, table
+from evaluation.logistic import AGAINST, FOR, FREE, Answer, fitted, module_text, promise
 from evaluation.measure import in_processes
 from sketch2shape.errors import Sketch2ShapeError
-from sketch2shape.evidence import SWEEP_WITNESSES, SweepWeights, sweep_confidence, sweep_terms
-from sketch2shape.model import Floats
+from sketch2shape.evidence import SWEEP_WITNESSES, sweep_confidence
+from sketch2shape.evidence.calibration import standardised
+from sketch2shape.evidence.sweep_calibration import SWEEP_WEIGHTS
+from sketch2shape.ink import Group, find_ink, split_groups
+from sketch2shape.lifting import choose_front
+from sketch2shape.model import Picture, TwoFaceObject
+from sketch2shape.pipeline import Result, lift
+from sketch2shape.pipeline.report import report
+from sketch2shape.reading import read_picture
+from sketch2shape.search import FoundSweep, sweep_as_object
+from sketch2shape.search.objects import LEAST_COMPANION, SOME_BOWED, bowed_part
+from sketch2shape.search.search import observed
+from sketch2shape.search.sweeping import find_sweep
+from sketch2shape.sweeps import Sweep
 
 WEIGHTS = ROOT / "sketch2shape" / "evidence" / "sweep_weights.py"
 KINDS = ("cylinder_*", "tube_*", "plate_*", "arcs_*", "cone_*", "frustum_*", "pyramid_*", "curved_*", "no_*")
 """Kinds of drawings that such answers are given to."""
 EITHER = {"numbers", "shallow", "small", "pointed", "holes"}
 """Witnesses that may speak for an answer or against it; `gap` speaks for it, all others against."""
-RIDGE = 2.0
-"""Penalty on the square of a weight: that of two answers that contradict it."""
-
-
-class Answer(NamedTuple):
-    """What speaks for an answer, and whether it is right."""
-
-    case: Case
-    witnesses: Floats
-    right: bool
+BOUNDS = tuple(FREE if name in EITHER else FOR if name == "gap" else AGAINST for name in SWEEP_WITNESSES)
+ABOUT = "Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`; see `sweep_calibration`."
 
 
 def main() -> None:
@@ -55,87 +55,48 @@ def main() -> None:
         cases = collect(["fresh"], wanted)
         given = in_processes(_answers, [(case,) for case in cases], args.jobs, args.seconds)
     answers = [a for some in given if not isinstance(some, Exception) for a in some]
-    weights = SweepWeights()
+    weights = SWEEP_WEIGHTS
     if not args.check:
-        weights = fit([a for a in answers if a.case.half == "even"])
-        WEIGHTS.write_text(_module(weights))
-        print(f"wrote {WEIGHTS.relative_to(ROOT)}")
-    print(report(answers, weights))
+        weights = fitted([a for a in answers if a.half == "even"], standardised, BOUNDS)
+        args.output.write_text(module_text(ABOUT, weights, SWEEP_WITNESSES, SWEEP_WITNESSES))
+        print(f"wrote {args.output}")
+    print(promise({"fresh": answers}, lambda witnesses: sweep_confidence(witnesses, weights)))
 
 
 def _answers(case: Case) -> list[Answer]:
-    """The answers with arcs or a point that are found in a drawing, refused ones too."""
-    from sketch2shape.ink import find_ink
-    from sketch2shape.lifting import choose_front
-    from sketch2shape.pipeline.report import report as reported
-    from sketch2shape.pipeline.result import Result
-    from sketch2shape.pipeline.solid import lift
-    from sketch2shape.reading import read_picture
-    from sketch2shape.search import FoundSweep, find_all, sweep_as_object
-
+    """The best answer with arcs or a point for each group of ink, also where the search would not give it."""
     try:
         picture = read_picture(case.picture, reduced=True)
         ink = find_ink(picture)
-        found = [f for f in find_all(ink) if isinstance(f, FoundSweep)]
-        objects = tuple(choose_front(sweep_as_object(f, ink)) for f in found)
-        told = reported(Result(objects, tuple(map(lift, objects)), picture, {}))["objects"]
     except Sketch2ShapeError:
         return []
-    right = curves.has_curves(case.truth) and curves.judge(case.truth, told).exact
-    return [Answer(case, f.witnesses, right) for f in found if f.witnesses is not None]
+    groups = split_groups(ink)
+    found = [_swept(g) for g in groups if g.size >= LEAST_COMPANION * groups[0].size]  # smaller ones are letters
+    told = [(f.witnesses, choose_front(sweep_as_object(f, ink))) for f in found if f is not None]
+    return [Answer(seen, _is_right(case, obj, picture), case.half) for seen, obj in told if seen is not None]
 
 
-def fit(answers: Sequence[Answer]) -> SweepWeights:
-    """Mean, spread and weight of each witness, and the bias."""
-    x = np.nan_to_num(np.array([a.witnesses for a in answers]))
-    right = np.array([a.right for a in answers], float)
-    flat = SweepWeights(tuple(x.mean(axis=0)), tuple(np.maximum(x.std(axis=0), 1e-6)))
-    z = np.column_stack([sweep_terms(x, flat), np.ones(len(x))])
-
-    def loss(w: Floats) -> tuple[float, Floats]:
-        t = z @ w
-        held = np.append(w[:-1], 0.0)
-        cost = float(np.logaddexp(0.0, np.where(right > 0, -t, t)).sum() + 0.5 * RIDGE * held @ held)
-        return cost, z.T @ (1.0 / (1.0 + np.exp(-t)) - right) + RIDGE * held
-
-    bounds = [_bounds(name) for name in SWEEP_WITNESSES] + [(None, None)]
-    w = minimize(loss, np.zeros(z.shape[1]), jac=True, method="L-BFGS-B", bounds=bounds).x
-    centre, spread, weight = (tuple(round(float(v), 4) for v in p) for p in (flat.centre, flat.spread, w[:-1]))
-    return SweepWeights(centre, spread, weight, round(float(w[-1]), 4))
+def _swept(group: Group) -> FoundSweep | None:
+    """The best sweep for a group of ink as `search.objects` asks for it; one that it would never give is none."""
+    seen = observed(group)
+    if seen is None:
+        return None
+    found = find_sweep(seen, arcs=bowed_part(seen.skeleton, seen.view.size) >= SOME_BOWED)
+    return found.shifted(group.offset) if found is not None and _is_proper(found.sweep) else None
 
 
-def _bounds(name: str) -> tuple[float | None, float | None]:
-    if name in EITHER:
-        return None, None
-    return (0.0, None) if name == "gap" else (None, 0.0)
+def _is_proper(sweep: Sweep) -> bool:
+    return sweep.has_arcs or sweep.way.is_pointed
 
 
-def _module(weights: SweepWeights) -> str:
-    lines = ['"""Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`."""', ""]
-    for name, values in zip(("CENTRE", "SPREAD", "WEIGHT"), weights[:3], strict=True):
-        named = (f"    {v},  # {w}" for v, w in zip(values, SWEEP_WITNESSES, strict=True))
-        lines += [f"{name} = (", *named, ")"]
-    return "\n".join([*lines, f"BIAS = {weights.bias}"]) + "\n"
-
-
-def report(answers: Sequence[Answer], weights: SweepWeights) -> str:
-    """How far the confidence keeps its promise, by half."""
-    rows = []
-    for half in ("even", "odd"):
-        mine = [a for a in answers if a.case.half == half]
-        sure = [a for a in mine if sweep_confidence(a.witnesses, weights) >= 0.9]
-        right = [a for a in mine if a.right]
-        rows.append(
-            [
-                half,
-                str(len(mine)),
-                percent(len(right), len(mine)),
-                str(len(sure)),
-                percent(sum(a.right for a in sure), len(sure)),
-                percent(sum(sweep_confidence(a.witnesses, weights) >= 0.9 for a in right), len(right)),
-            ]
-        )
-    return table(["half", "answers", "right", ">= 0.9", "of these right", "right ones >= 0.9"], rows)
+def _is_right(case: Case, obj: TwoFaceObject, picture: Picture) -> bool:
+    if not curves.has_curves(case.truth):
+        return False
+    try:
+        told = report(Result((obj,), (lift(obj),), picture, {}))["objects"]
+    except Sketch2ShapeError:
+        return False
+    return curves.judge(case.truth, told).exact
 
 
 def _arguments() -> argparse.Namespace:
@@ -143,6 +104,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--check", action="store_true", help="keep the weights; take drawings of another seed")
     parser.add_argument("--seed", type=int, default=7000, help="of the drawings")
     parser.add_argument("--per-category", type=int, default=10, help="drawings of each kind")
+    parser.add_argument("--output", type=Path, default=WEIGHTS, metavar="FILE", help="where the weights are written")
     parser.add_argument("--jobs", type=int, default=2, help="processes")
     parser.add_argument("--seconds", type=float, default=30.0, help="limit for one drawing")
     return parser.parse_args()

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from sketch2shape.evidence.calibration import REFUSE_BELOW, confidence
+from sketch2shape.evidence.calibration import REFUSE_BELOW, Weights, confidence
 from sketch2shape.evidence.detectors_agree import vouched
 from sketch2shape.evidence.energy import Comparison, Energy, compare
 from sketch2shape.evidence.redrawing import compare_sweep
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
-from sketch2shape.evidence.sweep_calibration import SweepWeights, sweep_confidence, sweep_terms
+from sketch2shape.evidence.sweep_calibration import sweep_confidence
 from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses
 from sketch2shape.evidence.unexplained import unexplained_strokes
 from sketch2shape.evidence.view import STROKE, View, observe
@@ -24,8 +24,8 @@ __all__ = [
     "Energy",
     "Evidence",
     "Sheet",
-    "SweepWeights",
     "View",
+    "Weights",
     "compare",
     "compare_sweep",
     "confidence",
@@ -37,7 +37,6 @@ __all__ = [
     "observe",
     "sheet_for",
     "sweep_confidence",
-    "sweep_terms",
     "sweep_witnesses",
     "unexplained_strokes",
     "vouched",

@@ -18,8 +18,6 @@ REFUSE_BELOW = 0.14
 """Confidence below which an answer is no answer: nearly all such answers are wrong, or there is nothing to be found."""
 FARTHEST = 4.0
 """Spreads from the mean beyond which a witness says no more: no drawing of the fit lay further off."""
-
-
 WHOLE = {
     "unexplained": (0.02, 0.1),
     "closed": (0.01, 0.03),
@@ -33,9 +31,9 @@ does. Where nothing does, however thick the pen or careless the hand, such answe
 
 
 class Weights(NamedTuple):
-    """A logistic regression: mean, standard deviation and weight of each witness, (w,) each, and the bias.
+    """A logistic regression: mean and standard deviation of each witness, (w,) each, weight of each term, and the bias.
 
-    The first weight is that of an answer that explains all.
+    The terms are those of `terms`, or the witnesses as they are.
     """
 
     centre: tuple[float, ...] = CENTRE

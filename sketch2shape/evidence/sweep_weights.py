@@ -1,4 +1,8 @@
-"""Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`."""
+"""Weights of the witnesses of sweeps; see `sweep_calibration`.
+
+They were fitted to the answers that the search gave; `scripts/fit_sweep_confidence.py` now also asks for those that it
+keeps back, and a run of it writes this module anew.
+"""
 
 CENTRE = (
     0.0492,  # unexplained

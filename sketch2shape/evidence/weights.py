@@ -1,4 +1,8 @@
-"""Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."""
+"""Weights of the witnesses; see `calibration`.
+
+They were fitted to recorded searches, by the method of `scripts/fit_confidence.py` (its regression, its bounds, the
+even half of each set), not by a run of that script as it stands; a run of it writes this module anew.
+"""
 
 CENTRE = (
     0.1172,  # unexplained
