@@ -18,14 +18,12 @@ _SMALLER = 0.93
 class Scale:
     """A scale.
 
-    factor  : millimetres on paper for a unit of the solid
-    is_real : is the solid's real size known?
-    told    : in words, for the sheet
-    note    : what had to be assumed or reduced, for the result; None if nothing
+    factor : millimetres on paper for a unit of the solid
+    told   : in words, for the sheet
+    note   : what had to be assumed or reduced, for the result; None if nothing
     """
 
     factor: float
-    is_real: bool
     told: str
     note: str | None
 
@@ -34,13 +32,13 @@ def reductions(unit: str) -> Iterator[Scale]:
     """True scale, then 1:2, 1:5, 1:10 and so on."""
     for text, ratio in _ratios(1, 12):
         note = None if ratio == 1.0 else f"drawn at scale {text} to fit the paper"
-        yield Scale(MILLIMETRES[unit] * ratio, True, f"scale {text}", note)
+        yield Scale(MILLIMETRES[unit] * ratio, f"scale {text}", note)
 
 
 def usual_scales(unit: str) -> Iterator[Scale]:
     """Usual enlargements and reductions of a solid with a real size, the largest first."""
     for text, ratio in _ratios(-6, 12):
-        yield Scale(MILLIMETRES[unit] * ratio, True, f"scale {text}", None)
+        yield Scale(MILLIMETRES[unit] * ratio, f"scale {text}", None)
 
 
 def fitting_scales(factor: float) -> Iterator[Scale]:
@@ -48,7 +46,7 @@ def fitting_scales(factor: float) -> Iterator[Scale]:
     for _ in range(48):
         rounded = float(f"{factor:.2g}")
         told = f"no real size is known: 100 px of the drawing are {100 * rounded:.4g} mm here"
-        yield Scale(rounded, False, told, f"{told} (--width 40mm gives one)")
+        yield Scale(rounded, told, f"{told} (--width 40mm gives one)")
         factor *= _SMALLER
 
 

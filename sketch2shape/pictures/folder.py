@@ -140,9 +140,7 @@ def _html_card(entry: Entry) -> str:
     if entry.thumbnail is not None:
         small, _ = fit(entry.thumbnail, _WIDTH * 2, _HEIGHT * 2)
         picture = f'<img src="{data_uri(encode_jpeg(small), "jpeg")}" alt="The object found in {name}">'
-    links = " ".join(
-        f'<a href="{escape(quote(to, errors="surrogateescape"))}">{escape(words)}</a>' for words, to in entry.links
-    )
+    links = " ".join(f'<a href="{escape(_address(to))}">{escape(words)}</a>' for words, to in entry.links)
     return (
         f'<li class="{_CLASSES[entry.colour]}" style="--sure:{_rank(entry)}">{picture}<h2>{broken}</h2>'
         f'<p>{status}</p><p class="links">{links}</p></li>'

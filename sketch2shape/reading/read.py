@@ -10,7 +10,7 @@ from __future__ import annotations
 import io
 import os
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import IO, TYPE_CHECKING, Any, TypeVar
 
 from sketch2shape.errors import LimitError, MissingPackageError, Sketch2ShapeError, UnreadableError, UsageError
@@ -122,17 +122,6 @@ def _vectors(data: bytes, limits: Limits, page: int, label: str) -> Picture | No
     from sketch2shape.reading.vector_formats import read_vectors
 
     return _guarded(lambda: read_vectors(name, data, limits, page, label))
-
-
-def read_pages(source: Source, limits: Limits | None = None, *, name: str | None = None) -> Iterator[Picture]:
-    """Every page of a TIFF or PDF in turn, or the one picture of any other source. Raises as `read_picture`."""
-    limits = limits or Limits()
-    if not isinstance(source, str | os.PathLike | bytes | bytearray | memoryview):
-        yield read_picture(source, limits, name=name)
-        return
-    data = read_bytes(source, limits)
-    for page in range(count_pages(data)):
-        yield read_picture(data, limits, page=page, name=name or source_name(source))
 
 
 def source_name(source: Source) -> str:

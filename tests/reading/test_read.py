@@ -17,7 +17,7 @@ from PIL import Image, features
 from sketch2shape.errors import LimitError, MissingPackageError, UnreadableError, UsageError
 from sketch2shape.model.picture import Picture
 from sketch2shape.reading.limits import Limits
-from sketch2shape.reading.read import PLUGINS, count_pages, parse_page, read_pages, read_picture, sniff, webp_size
+from sketch2shape.reading.read import PLUGINS, count_pages, parse_page, read_picture, sniff, webp_size
 
 CORE = ["PNG", "JPEG", "WEBP", "TIFF", "BMP", "GIF", "PPM"]
 
@@ -253,7 +253,7 @@ def test_pages_of_a_tiff():
     data = encoded(stroke(), "TIFF", save_all=True, append_images=[stroke((50, 60)), stroke((20, 21))])
     assert count_pages(data) == 3
     assert read_picture(data).pixels.shape == (30, 40, 3)
-    assert [p.pixels.shape[:2] for p in read_pages(data)] == [(30, 40), (60, 50), (21, 20)]
+    assert [read_picture(data, page=k).pixels.shape[:2] for k in range(3)] == [(30, 40), (60, 50), (21, 20)]
     with pytest.raises(UnreadableError, match="no such page"):
         read_picture(data, page=3)
 
