@@ -1,33 +1,26 @@
-"""An app whose work is done in this process, and small pictures to send it."""
+"""An app whose work is done in this process, one that a browser opens, and small pictures to send them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
 from typing import Any
 
 import cv2
 import numpy as np
 import pytest
+from selenium.common.exceptions import WebDriverException
+from selenium.webdriver import Chrome
+from selenium.webdriver.common.by import By
 from starlette.testclient import TestClient
 
 from sketch2shape.ui.app import create_app
 
-FRONT = [[100.0, 160.0], [300.0, 160.0], [300.0, 340.0], [100.0, 340.0]]
-BACK = [[190.0, 100.0], [390.0, 100.0], [390.0, 280.0], [190.0, 280.0]]
-
-
-class Here:
-    """Workers that are no processes."""
-
-    async def run(self, function: Callable[..., Any], *arguments: Any, seconds: float) -> Any:
-        assert seconds > 0
-        return function(*arguments)
-
-    @property
-    def waiting(self) -> int:
-        return 0
-
-    def close(self) -> None: ...
+from .browsing import wait
+from .chromium import start_browser
+from .here import BACK, FRONT, Here
+from .server import Address, start_app
 
 
 @pytest.fixture(scope="session")
@@ -54,3 +47,38 @@ def corrections() -> dict[str, Any]:
         "height": 440,
         "objects": [{"f1": FRONT, "f2": BACK, "projection": "oblique", "width": "40mm"}],
     }
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[Address]:
+    with start_app() as where:
+        yield where
+
+
+@pytest.fixture(scope="module")
+def downloads(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("downloads")
+
+
+@pytest.fixture(scope="module")
+def browser(downloads: Path) -> Iterator[Chrome]:
+    with ExitStack() as stack:
+        try:
+            chrome = stack.enter_context(start_browser(downloads))
+        except WebDriverException as error:
+            pytest.skip(f"the browser does not start here: {error.msg}")
+        yield chrome
+
+
+@pytest.fixture
+def page(browser: Chrome, address: Address) -> Chrome:
+    browser.get(address)
+    wait(lambda: browser.find_elements(By.CSS_SELECTOR, "#gallery button"))
+    return browser
+
+
+@pytest.fixture
+def box_file(box_png: bytes, tmp_path: Path) -> Path:
+    path = tmp_path / "box.png"
+    path.write_bytes(box_png)
+    return path

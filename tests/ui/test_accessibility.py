@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from selenium.common.exceptions import WebDriverException
 from selenium.webdriver import Chrome
 
-from .chromium import missing, start_browser
-from .server import start_app
-from .test_browser import draw_box, message, painted, read, volume, wait
+from .browsing import draw_box, message, needs_browser, painted, read, volume, wait
 
 _FOUND = importlib.util.find_spec("axe_core_python")
 pytestmark = [
-    pytest.mark.skipif(missing() is not None, reason=str(missing())),
+    needs_browser,
     pytest.mark.skipif(_FOUND is None, reason="axe-core-python is not installed"),
 ]
 
@@ -38,15 +34,9 @@ _FINGER = 40
 
 
 @pytest.fixture(scope="module")
-def page() -> Iterator[Chrome]:
-    with ExitStack() as stack:
-        address = stack.enter_context(start_app())
-        try:
-            browser = stack.enter_context(start_browser())
-        except WebDriverException as error:
-            pytest.skip(f"the browser does not start here: {error.msg}")
-        browser.get(address)
-        yield browser
+def page(browser: Chrome, address: str) -> Chrome:
+    browser.get(address)
+    return browser
 
 
 def axe() -> str:

@@ -11,7 +11,7 @@ from sketch2shape.ui.app import PAGE_MODULES
 from sketch2shape.ui.examples import EXAMPLES
 from sketch2shape.writing.formats import FORMATS
 
-from .conftest import BACK, FRONT
+from .here import BACK, FRONT
 
 PNG = {"Content-Type": "image/png"}
 

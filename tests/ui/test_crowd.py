@@ -10,7 +10,6 @@ import socket
 import time
 import urllib.error
 import urllib.request
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from http.client import HTTPConnection
@@ -22,19 +21,13 @@ import pytest
 from sketch2shape.ui.app import PAGE_MODULES
 from sketch2shape.ui.guard import Refusal, Uploads
 
-from .conftest import BACK, FRONT
+from .here import BACK, FRONT
 from .server import Address, start_app
 
 SIDES = [(f[a], f[(a + 1) % 4]) for f in (FRONT, BACK) for a in range(4)]
 STROKES = {"strokes": [{"points": line} for line in [*SIDES, *zip(FRONT, BACK, strict=True)]]}
 PARTS = ["/", "/style.css", "/icon.svg", "/viewer.js", "/about", *(f"/{name}.js" for name in PAGE_MODULES)]
 BROWSERS, HALF_OPEN = 30, 120
-
-
-@pytest.fixture(scope="module")
-def address() -> Iterator[Address]:
-    with start_app() as where:
-        yield where
 
 
 def connect(address: str) -> HTTPConnection:

@@ -13,7 +13,8 @@ from .chromium import missing
 _INSIDE = """
 ip link set lo up || exit 90
 [ "$(ip -o link | wc -l)" = 1 ] || exit 91
-exec "$0" -m pytest -q -p no:cacheprovider tests/ui/test_browser.py -k "upload_drag or box_is_drawn or asks_nobody"
+cd tests/ui || exit 92
+exec "$0" -m pytest -q -p no:cacheprovider test_browser.py test_pad.py -k "upload_drag or box_is_drawn or asks_nobody"
 """
 
 

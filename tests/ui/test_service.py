@@ -6,8 +6,7 @@ import json
 import subprocess
 import sys
 import urllib.request
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
 
 import pytest
 import trimesh
@@ -21,21 +20,9 @@ from sketch2shape.ui.form import file_of
 from sketch2shape.ui.guard import Refusal
 from sketch2shape.ui.openapi import MEDIA, OPTIONS
 
+from .here import Here
+
 PNG = {"Content-Type": "image/png"}
-
-
-class Here:
-    """Workers that are no processes."""
-
-    async def run(self, function: Callable[..., Any], *arguments: Any, seconds: float) -> Any:
-        assert seconds > 0
-        return function(*arguments)
-
-    @property
-    def waiting(self) -> int:
-        return 0
-
-    def close(self) -> None: ...
 
 
 AT = "/v1/reconstruct"

@@ -1,0 +1,114 @@
+"""What tests of the page in a browser do again and again: wait, ask the page, upload, drag, draw."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from selenium.webdriver import ActionChains, Chrome
+from selenium.webdriver.common.by import By
+
+from .chromium import missing
+
+needs_browser = pytest.mark.skipif(missing() is not None, reason=str(missing()))
+
+#: a box on the drawing pad, from its middle, pixels of the screen
+FRONT = [(-150, -60), (50, -60), (50, 110), (-150, 110)]
+SHIFT = (90, -70)
+
+
+def wait(check: Callable[[], Any], seconds: float = 120) -> Any:
+    """The first true answer of `check`."""
+    end = time.monotonic() + seconds
+    while True:
+        answer = check()
+        if answer:
+            return answer
+        assert time.monotonic() < end, "it did not happen in time"
+        time.sleep(0.05)
+
+
+def read(page: Chrome, css: str, what: str = "textContent") -> str:
+    """A property of an element, asked for in one go, since the page may paint in between."""
+    return str(page.execute_script("return document.querySelector(arguments[0])?.[arguments[1]] ?? ''", css, what))
+
+
+def message(page: Chrome) -> str:
+    return read(page, "#message")
+
+
+def volume(page: Chrome) -> float:
+    return float(page.execute_script("return document.getElementById('facts').dataset.volume || 0"))
+
+
+def painted(page: Chrome) -> None:
+    """Let the page paint what it has been told, and again for the sizes that gave its parts."""
+    page.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+
+
+def upload(page: Chrome, path: Path) -> None:
+    page.find_element(By.ID, "file").send_keys(str(path))
+    wait(lambda: path.name in message(page) and "Looking" not in message(page) and volume(page))
+    painted(page)
+
+
+def selector(face: int, index: int) -> str:
+    name = json.dumps({"object": 0, "ring": 0, "face": face, "index": index}, separators=(",", ":"))
+    return f"[data-name='{name}'] .spot"
+
+
+def vertex(page: Chrome, face: int, index: int) -> Any:
+    return page.find_element(By.CSS_SELECTOR, selector(face, index))
+
+
+def place(page: Chrome, face: int, index: int) -> tuple[float, float]:
+    """Where a vertex is, pixels of the picture."""
+    ask = "const s = document.querySelector(arguments[0]); return [+s.getAttribute('cx'), +s.getAttribute('cy')]"
+    x, y = page.execute_script(ask, selector(face, index))
+    return x, y
+
+
+def press(page: Chrome, face: int, index: int, *keys: str) -> None:
+    """Press keys on a vertex that has the focus."""
+    page.execute_script("document.querySelector(arguments[0]).parentNode.focus()", selector(face, index))
+    for key in keys:
+        ActionChains(page).send_keys(key).perform()
+
+
+def downloaded(folder: Path, name: str) -> Path:
+    file = folder / name
+    wait(lambda: file.exists() and file.stat().st_size and not list(folder.glob("*.crdownload")))
+    return file
+
+
+def drag(page: Chrome, element: Any, dx: int, dy: int) -> None:
+    ActionChains(page, duration=20).move_to_element(element).click_and_hold().move_by_offset(
+        dx // 2, dy // 2
+    ).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
+
+
+def draw_box(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    pad = page.find_element(By.ID, "pad")
+    for i, (x, y) in enumerate(FRONT):
+        u, v = FRONT[(i + 1) % 4]
+        for a, b, c, d in ((x, y, u, v), (x + 90, y - 70, u + 90, v - 70), (x, y, x + 90, y - 70)):
+            ActionChains(page, duration=10).move_to_element_with_offset(
+                pad, a, b
+            ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
+
+
+def strokes(page: Chrome) -> int:
+    return int(page.execute_script("return window.timings.state().strokes.length"))
+
+
+def blank_page(path: Path, width: int = 500, height: int = 400) -> Path:
+    """A picture with nothing on it, written there."""
+    cv2.imwrite(str(path), np.full((height, width, 3), 255, np.uint8))
+    return path

@@ -1,0 +1,126 @@
+"""The pad in a real browser: lines drawn by pen, finger, keys and numbers."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from selenium.webdriver import ActionChains, Chrome
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+from .browsing import (
+    draw_box,
+    message,
+    needs_browser,
+    read,
+    strokes,
+    volume,
+    wait,
+)
+
+pytestmark = needs_browser
+
+
+def test_a_solid_stands_up_while_a_box_is_drawn(page: Chrome) -> None:
+    draw_box(page)
+    wait(lambda: "That is a solid" in message(page) and volume(page))
+    assert strokes(page) == 12
+    page.find_element(By.ID, "adjust").click()
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+
+
+def test_clear_is_undone_and_a_reload_keeps_the_drawing(page: Chrome) -> None:
+    draw_box(page)
+    wait(lambda: volume(page))
+    page.find_element(By.ID, "clear").click()
+    assert (strokes(page), volume(page)) == (0, 0)
+    page.find_element(By.ID, "undo").click()
+    wait(lambda: strokes(page) == 12 and volume(page))
+    time.sleep(0.6)  # it is kept after a pause
+    page.refresh()
+    wait(lambda: strokes(page) == 12 and volume(page))
+
+
+def test_a_link_holds_the_whole_drawing(page: Chrome, address: str) -> None:
+    draw_box(page)
+    wait(lambda: volume(page))
+    page.find_element(By.ID, "share").click()
+    link = wait(lambda: read(page, "#link-text", "value"))
+    assert len(link) < 1000
+    page.get("about:blank")
+    page.get(link)
+    wait(lambda: strokes(page) == 12 and volume(page))
+    page.get("about:blank")
+    page.get(link[:-20])
+    wait(lambda: "does not hold" in message(page))
+
+
+def test_a_question_comes_before_a_drawing_is_dropped(page: Chrome) -> None:
+    draw_box(page)
+    page.find_element(By.ID, "draw").click()
+    assert strokes(page) == 12
+    page.find_element(By.CSS_SELECTOR, "#ask [value=no]").click()
+    assert strokes(page) == 12
+    page.find_element(By.ID, "draw").click()
+    page.find_element(By.CSS_SELECTOR, "#ask [value=yes]").click()
+    wait(lambda: strokes(page) == 0)
+
+
+def test_lines_are_drawn_with_the_keyboard_and_by_numbers(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    pad = page.find_element(By.ID, "pad")
+    pad.send_keys(Keys.ENTER, Keys.ENTER, *[Keys.ARROW_RIGHT] * 5, Keys.ENTER)
+    assert strokes(page) == 1
+    pad.send_keys(Keys.ENTER, *[Keys.ARROW_DOWN] * 5, Keys.ESCAPE)
+    assert strokes(page) == 1
+    page.find_element(By.ID, "numbers").click()
+    page.find_element(By.CSS_SELECTOR, "#numbers-box .main").click()
+    page.find_element(By.CSS_SELECTOR, "#numbers-box .close").click()
+    assert strokes(page) == 2
+
+
+def test_escape_cancels_a_stroke(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    pad = page.find_element(By.ID, "pad")
+    ActionChains(page, duration=10).move_to_element(pad).click_and_hold().move_by_offset(90, 20).perform()
+    ActionChains(page).send_keys(Keys.ESCAPE).perform()
+    ActionChains(page, duration=10).move_by_offset(10, 20).release().perform()
+    assert strokes(page) == 0
+
+
+def test_another_reading_is_taken_with_one_tap(page: Chrome) -> None:
+    draw_box(page)
+    wait(lambda: page.find_elements(By.CSS_SELECTOR, "#readings button"))
+    before = volume(page)
+    page.find_elements(By.CSS_SELECTOR, "#readings button")[1].click()
+    wait(lambda: volume(page) != pytest.approx(before, rel=0.05))
+    wait(lambda: read(page, "#readings [aria-pressed=true]", "ariaLabel").startswith("Reading 2"))
+
+
+def test_a_second_finger_locks_the_axis_and_two_fingers_zoom(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    box = "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y]"
+    x, y = page.execute_script(box)
+
+    def touch(kind: str, *points: tuple[float, float]) -> None:
+        told = [{"x": x + a, "y": y + b, "id": k} for k, (a, b) in enumerate(points)]
+        page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": told})
+
+    touch("touchStart", (100, 100))
+    for k in range(1, 8):
+        touch("touchMove", (100 + 20 * k, 100 + 6 * k))
+    touch("touchStart", (240, 142), (50, 200))
+    touch("touchMove", (260, 150), (50, 200))
+    touch("touchEnd")
+    (x1, y1, *_), (x2, y2, *_) = page.execute_script("return window.timings.state().strokes[0].points")
+    assert y2 == pytest.approx(y1)
+    assert x2 > x1 + 100
+
+    touch("touchStart", (200, 200))
+    touch("touchStart", (200, 200), (300, 200))
+    touch("touchMove", (180, 200), (320, 200))
+    touch("touchMove", (150, 200), (350, 200))
+    touch("touchEnd")
+    assert strokes(page) == 1
+    assert page.execute_script("return window.timings.zoom()") > 1.5
