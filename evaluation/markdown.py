@@ -11,6 +11,11 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "".join("| " + " | ".join(cells) + " |\n" for cells in lines)
 
 
+def share(some: Sequence[bool]) -> str:
+    """How many of them are true, in percent with its sign; a dash of nothing."""
+    return f"{percent(sum(some), len(some))} %" if some else "-"
+
+
 def percent(part: float, whole: float) -> str:
     """A share in percent with one decimal; a dash of nothing."""
     return f"{100 * part / whole:.1f}" if whole else "-"

@@ -24,10 +24,11 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from repository import ROOT
 
-from evaluation.cases import BENCH, SETS, Wanted, collect
+from evaluation.cases import collect
 from evaluation.confidence import confidence_tables
 from evaluation.failures import write_sheets
 from evaluation.measure import run
+from evaluation.options import add_drawings, add_sets, add_work, wanted
 from evaluation.outcome import save
 from evaluation.page import FRESH, summary_table, write_page
 
@@ -35,8 +36,7 @@ from evaluation.page import FRESH, summary_table, write_page
 def main() -> None:
     args = _arguments()
     with tempfile.TemporaryDirectory() as scratch:
-        wanted = Wanted(args.bench, Path(scratch), args.categories, args.seed, args.per_category)
-        outcomes = run(collect(args.sets, wanted), args.jobs, args.seconds)
+        outcomes = run(collect(args.sets, wanted(args, scratch, args.categories)), args.jobs, args.seconds)
         if args.raw:
             save(outcomes, Path(args.raw))
         if args.page:
@@ -56,13 +56,10 @@ def recorded(options: Sequence[str]) -> str:
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sets", nargs="+", choices=list(SETS), default=list(SETS))
+    add_sets(parser)
     parser.add_argument("--categories", nargs="+", default=["*"], metavar="PATTERN")
-    parser.add_argument("--seed", type=int, default=7, help="of the fresh drawings")
-    parser.add_argument("--per-category", type=int, default=4, metavar="N", help="fresh drawings of each category")
-    parser.add_argument("--bench", type=Path, default=BENCH)
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seconds", type=float, default=30, help="after which a picture is given up")
+    add_drawings(parser, seed=7, per_category=4)
+    add_work(parser, seconds=30)
     parser.add_argument("--page", default=str(ROOT / "docs" / "results.md"), help="'' writes none")
     parser.add_argument("--raw", help="write one JSON record a drawing")
     return parser.parse_args()

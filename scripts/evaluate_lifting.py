@@ -24,6 +24,7 @@ from lifting_gallery import gallery
 from repository import ROOT
 
 from evaluation import metrics
+from evaluation.markdown import share
 from sketch2shape.lifting import choose_front, lift
 from sketch2shape.model.arrays import Floats, Ints
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
@@ -121,7 +122,7 @@ def _tables(truths: list[dict[str, Any]], seed: int) -> str:
     lines = [f"| solid right, at noise of | drawings | {head} |", "|---|---|" + "---|" * len(NOISES)]
     for name, chosen, field in rows:
         cells = [
-            _percent([bool(getattr(c, field)) for cases, use in zip(run, chosen, strict=True) if use for c in cases])
+            share([bool(getattr(c, field)) for cases, use in zip(run, chosen, strict=True) if use for c in cases])
             for run in runs.values()
         ]
         lines.append(f"| {name} | {sum(chosen)} | {' | '.join(cells)} |")
@@ -129,10 +130,6 @@ def _tables(truths: list[dict[str, Any]], seed: int) -> str:
     lines.append("")
     lines.append(f"Time of one lifting: median {np.median(ms):.1f} ms, 95 in 100 below {np.quantile(ms, 0.95):.1f} ms.")
     return "\n".join(lines) + "\n"
-
-
-def _percent(right: list[bool]) -> str:
-    return f"{100.0 * np.mean(right):.1f} %" if right else "-"
 
 
 def _case(truth: dict[str, Any], noise: float, rng: np.random.Generator) -> Case:

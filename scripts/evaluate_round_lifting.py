@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import repository  # noqa: F401  (finds the package)
 
+from evaluation.markdown import share
 from sketch2shape.lifting import lift
 from sketch2shape.model import DrawnArc, Ellipse, FacePair, Floats, Plane, Side, Solid, TwoFaceObject
 from sketch2shape.solids import tessellated
@@ -59,16 +60,12 @@ def table(n: int, seed: int) -> str:
         rows = [[_case(m, noise, np.random.default_rng([seed, k, 1])) for k, m in enumerate(made)] for noise in NOISES]
         for kept, row in zip(every, rows, strict=True):
             kept += row
-        lines.append(f"| {kind} | {n} | {' | '.join(_percent([c.right for c in row]) for row in rows)} |")
-    lines.append(f"| **all** | {n * len(KINDS)} | {' | '.join(_percent([c.right for c in row]) for row in every)} |")
-    sure = [_percent([c.right for c in row if c.sure]) for row in every]
+        lines.append(f"| {kind} | {n} | {' | '.join(share([c.right for c in row]) for row in rows)} |")
+    lines.append(f"| **all** | {n * len(KINDS)} | {' | '.join(share([c.right for c in row]) for row in every)} |")
+    sure = [share([c.right for c in row if c.sure]) for row in every]
     lines.append(f"| of those at 0.9 or more | | {' | '.join(sure)} |")
-    lines.append(f"| mesh closed and outward | | {' | '.join(_percent([c.mesh for c in row]) for row in every)} |")
+    lines.append(f"| mesh closed and outward | | {' | '.join(share([c.mesh for c in row]) for row in every)} |")
     return "\n".join(lines) + "\n"
-
-
-def _percent(right: list[bool]) -> str:
-    return f"{100.0 * np.mean(right):.1f} %" if right else "-"
 
 
 def _case(made: Turned, noise: float, rng: np.random.Generator) -> Case:

@@ -21,9 +21,10 @@ import numpy as np
 from repository import ROOT
 
 from evaluation import curves, meshes, metrics
-from evaluation.cases import Case, Wanted, collect
+from evaluation.cases import Case, collect
 from evaluation.logistic import AGAINST, FREE, Answer, fitted, module_text, promise
 from evaluation.measure import in_processes
+from evaluation.options import add_drawings, add_sets, add_work, wanted
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.evidence import WITNESSES, Weights, confidence
 from sketch2shape.evidence.calibration import terms
@@ -40,8 +41,7 @@ ABOUT = "Weights of the witnesses, written by `scripts/fit_confidence.py`; see `
 def main() -> None:
     args = _arguments()
     with tempfile.TemporaryDirectory() as scratch:
-        wanted = Wanted(args.bench, Path(scratch), seed=args.seed, per_category=args.per_category)
-        cases = [c for c in collect(args.sets, wanted) if c.truth.get("objects", ()) is not None]
+        cases = [c for c in collect(args.sets, wanted(args, scratch)) if c.truth.get("objects", ()) is not None]
         given = in_processes(_answers, [(case,) for case in cases], args.jobs, args.seconds)
     sets: dict[str, list[Answer]] = {case.set: [] for case in cases}
     for case, some in zip(cases, given, strict=True):
@@ -84,12 +84,9 @@ def _is_right(case: Case, obj: Any) -> bool:
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sets", nargs="+", choices=SETS, default=SETS)
-    parser.add_argument("--bench", type=Path, default=ROOT.parent / "shared" / "bench")
-    parser.add_argument("--seed", type=int, default=31, help="of the drawings made anew")
-    parser.add_argument("--per-category", type=int, default=2, metavar="N", help="drawings made anew of each category")
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seconds", type=float, default=60, help="after which a picture is given up")
+    add_sets(parser, SETS)
+    add_drawings(parser, seed=31, per_category=2)
+    add_work(parser, seconds=60)
     parser.add_argument("--output", type=Path, default=WEIGHTS, metavar="FILE", help="where the weights are written")
     parser.add_argument("--check", action="store_true", help="leave the weights as they are")
     return parser.parse_args()

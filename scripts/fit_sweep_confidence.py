@@ -23,6 +23,7 @@ from evaluation import curves
 from evaluation.cases import Case, Wanted, collect
 from evaluation.logistic import AGAINST, FOR, FREE, Answer, fitted, module_text, promise
 from evaluation.measure import in_processes
+from evaluation.options import add_drawings, add_work
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.evidence import SWEEP_WITNESSES, sweep_confidence
 from sketch2shape.evidence.calibration import standardised
@@ -102,11 +103,9 @@ def _is_right(case: Case, obj: TwoFaceObject, picture: Picture) -> bool:
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="keep the weights; take drawings of another seed")
-    parser.add_argument("--seed", type=int, default=7000, help="of the drawings")
-    parser.add_argument("--per-category", type=int, default=10, help="drawings of each kind")
+    add_drawings(parser, seed=7000, per_category=10)
+    add_work(parser, seconds=30)
     parser.add_argument("--output", type=Path, default=WEIGHTS, metavar="FILE", help="where the weights are written")
-    parser.add_argument("--jobs", type=int, default=2, help="processes")
-    parser.add_argument("--seconds", type=float, default=30.0, help="limit for one drawing")
     return parser.parse_args()
 
 

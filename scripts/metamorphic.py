@@ -21,10 +21,11 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import repository  # noqa: F401 - for `evaluation`
 
-from evaluation.cases import BENCH, SETS, Wanted, collect
+from evaluation.cases import SETS, collect
 from evaluation.markdown import table
 from evaluation.measure import in_processes
 from evaluation.metamorphic import Trial, metamorphic_table, trials
+from evaluation.options import add_drawings, add_sets, add_work, wanted
 from evaluation.transforms import TRANSFORMS
 
 
@@ -32,8 +33,7 @@ def main() -> None:
     args = _arguments()
     names = [n for n in TRANSFORMS if any(fnmatch.fnmatch(n, p) for p in args.transforms)]
     with tempfile.TemporaryDirectory() as scratch:
-        wanted = Wanted(args.bench, Path(scratch), args.categories, args.seed, args.per_category)
-        cases = collect(args.sets, wanted)[:: args.every]
+        cases = collect(args.sets, wanted(args, scratch, args.categories))[:: args.every]
         answers = in_processes(trials, [(case, names) for case in cases], args.jobs, args.seconds * (len(names) + 1))
     found = [trial for answer in answers if not isinstance(answer, Exception) for trial in answer]
     if args.raw:
@@ -61,15 +61,12 @@ def _by_set(found: list[Trial]) -> str:
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sets", nargs="+", choices=list(SETS), default=[s for s in SETS if s != "fresh"])
+    add_sets(parser, chosen=[s for s in SETS if s != "fresh"])
     parser.add_argument("--categories", nargs="+", default=["*"], metavar="PATTERN")
     parser.add_argument("--transforms", nargs="+", default=["*"], metavar="PATTERN")
     parser.add_argument("--every", type=int, default=10, metavar="N", help="take each N-th drawing only")
-    parser.add_argument("--seed", type=int, default=7, help="of fresh drawings")
-    parser.add_argument("--per-category", type=int, default=1, metavar="N", help="fresh drawings of each category")
-    parser.add_argument("--bench", type=Path, default=BENCH)
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seconds", type=float, default=20, help="for a picture, after which its drawing is given up")
+    add_drawings(parser, seed=7, per_category=1)
+    add_work(parser, seconds=20)
     parser.add_argument("--changed", action="store_true", help="list the drawings whose answer changed")
     parser.add_argument("--raw", help="write one JSON record a trial")
     return parser.parse_args()

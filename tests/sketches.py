@@ -1,5 +1,7 @@
 """Small drawings for the tests of seeing: outlines a reader can picture, drawn with anti-aliased lines."""
 
+import io
+
 import cv2
 import numpy as np
 
@@ -97,3 +99,10 @@ def _matchings(near):
     for row in near:
         ways = [(*way, j) for way in ways for j in np.flatnonzero(row).tolist() if j not in way]
     return ways
+
+
+def encoded(image, kind, **options):
+    """A picture of PIL as the bytes of a file."""
+    out = io.BytesIO()
+    image.save(out, kind, **options)
+    return out.getvalue()

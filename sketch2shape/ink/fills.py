@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.ink.histogram import above, percentile
+from sketch2shape.ink.kernels import square
 from sketch2shape.ink.pen_width import rough_pen_width
 from sketch2shape.model import Gray, as_gray
 
@@ -55,11 +56,11 @@ def without_stains(contrast: Gray, floor: float, diagonal: float) -> Gray:
     The arguments are those of `without_fills`; returns `contrast` itself where there is no such area.
     """
     soft = as_gray(cv2.blur(contrast, (5, 5)))
-    if not _may_be_wide(soft, _box(NARROW * diagonal), floor):
+    if not _may_be_wide(soft, square(NARROW * diagonal), floor):
         return contrast
     darkest = percentile(contrast[above(contrast, floor)], 95)
     pen_width = rough_pen_width(above(contrast, 0.4 * darkest))
-    box = _box(max(NARROW * diagonal, 5.0 * pen_width))
+    box = square(max(NARROW * diagonal, 5.0 * pen_width))
     wide = as_gray(cv2.morphologyEx(soft, cv2.MORPH_OPEN, box))
     if int(wide.max()) <= floor:
         return contrast
@@ -70,11 +71,6 @@ def without_stains(contrast: Gray, floor: float, diagonal: float) -> Gray:
     return as_gray(cv2.subtract(contrast, as_gray(cv2.convertScaleAbs(stain, alpha=GRAIN))))
 
 
-def _box(size: float) -> Gray:
-    side = 2 * (int(size) // 2) + 1
-    return np.ones((side, side), np.uint8)
-
-
 def _may_be_wide(contrast: Gray, box: Gray, floor: float) -> bool:
     """Whether a box may fit into what is above the floor: every fourth pixel of it would be so too."""
     return int(cv2.erode(contrast[::4, ::4], np.ones((len(box) // 4,) * 2, np.uint8)).max()) > floor
@@ -82,7 +78,7 @@ def _may_be_wide(contrast: Gray, box: Gray, floor: float) -> bool:
 
 def _wide_core(contrast: Gray, floor: float, diagonal: float) -> NDArray[np.bool_]:
     """(h, w) centres of large boxes that fit into the ink, except in blots: thick corners, arrow heads, vertex dots."""
-    box = _box(WIDE * diagonal)
+    box = square(WIDE * diagonal)
     if not _may_be_wide(contrast, box, floor):
         return np.zeros(contrast.shape, np.bool_)
     core = above(as_gray(cv2.erode(contrast, box)), floor).view(np.uint8)
@@ -122,7 +118,7 @@ def _holes(part: Gray) -> int:
 
 def _fill_level(contrast: Gray, core: NDArray[np.bool_], floor: float, narrow: float) -> Gray:
     """The contrast of the fills alone, grown back into their sharp corners as far as the opening can have cut them."""
-    opened = as_gray(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, _box(narrow)))
+    opened = as_gray(cv2.morphologyEx(contrast, cv2.MORPH_OPEN, square(narrow)))
     _, labels = cv2.connectedComponents(above(opened, floor).view(np.uint8), connectivity=4)
     filled = np.zeros(int(labels.max()) + 1, np.bool_)
     filled[labels[core]] = True
@@ -141,7 +137,7 @@ def _borders(level: Gray, strokes: Gray, floor: float, diagonal: float) -> Gray:
     """Contrast of the borders between fills that no stroke follows."""
     edges = as_gray(cv2.Canny(level, 3.0 * floor, 6.0 * floor))
     drawn = np.asarray(strokes > max(floor, 0.3 * float(strokes.max())), dtype=np.uint8)
-    near = cv2.dilate(drawn, _box(NARROW * diagonal))
+    near = cv2.dilate(drawn, square(NARROW * diagonal))
     edges[near > 0] = 0
     step = as_gray(cv2.morphologyEx(level, cv2.MORPH_GRADIENT, np.ones((5, 5), np.uint8)))
     wide = cv2.dilate(edges, np.ones((3, 3), np.uint8)) > 0

@@ -9,6 +9,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from sketch2shape.ink.kernels import square
 from sketch2shape.ink.pen_width import rough_pen_width
 from sketch2shape.model import Bools, Floats, Gray
 
@@ -39,10 +40,10 @@ def without_hatching(mask: Bools, diagonal: float) -> Bools:
     if pen_width > 0.6 * SPACING * diagonal:
         return mask
     ink = np.asarray(mask, np.bool_).view(np.uint8)
-    box = _box(EXTENT * diagonal)
+    box = square(EXTENT * diagonal)
     if not _may_be_dense(ink, SPACING * diagonal, EXTENT * diagonal):
         return mask
-    closed = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, _box(SPACING * diagonal))
+    closed = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, square(SPACING * diagonal))
     core = cv2.erode(closed, box)
     if not core.any():
         return mask
@@ -56,7 +57,7 @@ def without_hatching(mask: Bools, diagonal: float) -> Bools:
         lines = _even_lines(ink, area, angle, SPACING * diagonal)
         if not lines or _leaving(ink, area) > LEAVING * lines:
             continue
-        inner = cv2.erode(area, _box(2.0 * pen_width + 5.0)) > 0
+        inner = cv2.erode(area, square(2.0 * pen_width + 5.0)) > 0
         x, y, w, h = cv2.boundingRect(area)
         edges = np.zeros_like(mask)
         edges[y : y + h, x : x + w] = _other_lines(ink[y : y + h, x : x + w], angle, 2.5 * SPACING * diagonal)
@@ -67,13 +68,8 @@ def without_hatching(mask: Bools, diagonal: float) -> Bools:
 def _may_be_dense(ink: Gray, spacing: float, extent: float) -> bool:
     """Whether anything closes into an area, seen at a quarter of the size, where gaps are no wider than they are."""
     coarse = cv2.dilate(ink, np.ones((4, 4), np.uint8))[::4, ::4]
-    closed = cv2.morphologyEx(coarse, cv2.MORPH_CLOSE, _box(spacing / 4 + 2.0))
+    closed = cv2.morphologyEx(coarse, cv2.MORPH_CLOSE, square(spacing / 4 + 2.0))
     return bool(cv2.erode(closed, np.ones((max(1, int(extent / 4) - 1),) * 2, np.uint8)).any())
-
-
-def _box(size: float) -> Gray:
-    side = 2 * (int(size) // 2) + 1
-    return np.ones((side, side), np.uint8)
 
 
 def _grown(core: Gray, closed: Gray, box: Gray) -> Gray:

@@ -15,6 +15,7 @@ import numpy as np
 
 from sketch2shape.ink.components import connected_pieces
 from sketch2shape.ink.histogram import counts_of
+from sketch2shape.ink.kernels import square
 from sketch2shape.model import Bools, Gray, Ints, as_gray
 
 SMOOTH = 5
@@ -153,15 +154,10 @@ def _drawn_part(sample: Gray, paper: list[int]) -> tuple[slice, slice] | None:
     return slice(max(0, y - RIM), y + h + RIM), slice(max(0, x - RIM), x + w + RIM)
 
 
-def _box(size: float) -> Gray:
-    side = 2 * (int(size) // 2) + 1
-    return np.ones((side, side), np.uint8)
-
-
 def _areas(smooth: Gray, paper: list[int], diagonal: float) -> Ints | None:
     """(h, w) number of the wide flat area that each pixel belongs to, 0 in none; None if they have one tone."""
     flat = as_gray(_range(smooth) <= FLAT)
-    core = cv2.erode(flat, _box(WIDE * diagonal), borderType=cv2.BORDER_CONSTANT, borderValue=1)
+    core = cv2.erode(flat, square(WIDE * diagonal), borderType=cv2.BORDER_CONSTANT, borderValue=1)
     count, found, stats, _ = cv2.connectedComponentsWithStats(flat, connectivity=4)
     labels = np.asarray(found, np.intp)
     kept = np.zeros(count, np.bool_)

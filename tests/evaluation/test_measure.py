@@ -15,11 +15,6 @@ from sketch2shape.pipeline.result import Result
 from synthetic.drawing import draw
 
 
-@pytest.fixture
-def case(tmp_path):
-    return case_of(draw("clean_wire_axono", 3, 0).save(tmp_path), of_set="fresh")
-
-
 def solid_of(vertices):
     return Solid(two_face_boundary(vertices, (len(vertices) // 2,)), Projection("axonometric"))
 

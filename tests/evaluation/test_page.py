@@ -8,19 +8,13 @@ from pathlib import Path
 import pytest
 
 from evaluation import page as page_of
-from evaluation.cases import SETS, Case, Wanted, case_of, collect
+from evaluation.cases import SETS, Case, Wanted, collect
 from evaluation.compare import changes, load, summary
 from evaluation.confidence import confidence_tables
 from evaluation.failures import write_sheets
 from evaluation.outcome import Outcome, save
-from synthetic.drawing import draw
 
 SCRIPTS = Path(__file__).parent.parent.parent / "scripts"
-
-
-@pytest.fixture
-def case(tmp_path):
-    return case_of(draw("clean_wire_axono", 3, 0).save(tmp_path), of_set="fresh")
 
 
 def outcome(case, stem="000", right=True, confidence=0.95, cause=""):

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
-
 import cv2
 import numpy as np
 import pytest
 from PIL import Image
 from scipy.optimize import linear_sum_assignment
+from sketches import encoded
 
 import sketch2shape as s2s
 
@@ -25,12 +24,6 @@ def ink():
     for point in FRONT:
         cv2.line(mask, point.astype(int).tolist(), (point + SHIFT).astype(int).tolist(), 255, 2, cv2.LINE_AA)
     return mask
-
-
-def encoded(image, kind, **options):
-    out = io.BytesIO()
-    image.save(out, kind, **options)
-    return out.getvalue()
 
 
 def on_transparency(colour):

@@ -13,6 +13,7 @@ from importlib import import_module
 import numpy as np
 import pytest
 from PIL import Image, features
+from sketches import encoded
 
 from sketch2shape.errors import LimitError, MissingPackageError, UnreadableError, UsageError
 from sketch2shape.model.picture import Picture
@@ -27,12 +28,6 @@ def stroke(size=(40, 30), mode="RGB"):
     pixels = np.full((size[1], size[0], 3), 255, np.uint8)
     pixels[2:6, 2:20] = 0
     return Image.fromarray(pixels).convert(mode)
-
-
-def encoded(image, kind, **options):
-    out = io.BytesIO()
-    image.save(out, kind, **options)
-    return out.getvalue()
 
 
 @pytest.mark.parametrize("kind", CORE)

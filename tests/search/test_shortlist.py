@@ -11,6 +11,13 @@ BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
 WRONG = Rings((SQUARE,), (SQUARE + DEPTH + [14.0, 0],))
 
 
+def noted(taken):
+    """The box, then 99 worse ones, each noted as it is asked for."""
+    for k in range(100):
+        taken.append(k)
+        yield BOX if k == 0 else Rings((SQUARE + 0.1 * k,), (SQUARE + DEPTH,))
+
+
 def test_the_best_comes_first_and_few_are_kept():
     some = [WRONG, BOX, *(Rings((SQUARE + k,), (SQUARE + DEPTH,)) for k in range(1, 12))]
     best = shortlist(some, SHEET, [])
@@ -22,13 +29,7 @@ def test_the_best_comes_first_and_few_are_kept():
 
 def test_a_nearly_perfect_one_ends_the_search():
     taken = []
-
-    def source():
-        for k in range(100):
-            taken.append(k)
-            yield BOX if k == 0 else Rings((SQUARE + 0.1 * k,), (SQUARE + DEPTH,))
-
-    assert shortlist(source(), SHEET, [], enough=1)[0][1].score > 0.995
+    assert shortlist(noted(taken), SHEET, [], enough=1)[0][1].score > 0.995
     assert len(taken) < 10
 
 
@@ -50,13 +51,7 @@ def test_two_faces_on_the_same_lines_are_no_object():
 
 def test_two_faces_alike_that_explain_all_ink_end_the_search_after_their_batch():
     taken = []
-
-    def source():
-        for k in range(100):
-            taken.append(k)
-            yield BOX if k == 0 else Rings((SQUARE + 0.1 * k,), (SQUARE + DEPTH,))
-
-    assert shortlist(source(), SHEET, [], enough=5)[0][1].score > 0.995
+    assert shortlist(noted(taken), SHEET, [], enough=5)[0][1].score > 0.995
     assert len(taken) == FIRST * 5
 
 
