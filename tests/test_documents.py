@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import re
 import shlex
 from collections.abc import Iterator
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from evaluation import options
 from sketch2shape.command.parser import build_parser, parse
 
 ROOT = Path(__file__).parents[1]
@@ -80,12 +82,18 @@ def test_commands_that_are_shown_are_understood(page: Path) -> None:
             parse(words)
 
 
+def with_shared_options(script: str) -> str:
+    """A script with the functions of `evaluation.options` that it calls."""
+    shared = [f for name, f in inspect.getmembers(options, inspect.isfunction) if f"{name}(parser" in script]
+    return "\n".join([script, *map(inspect.getsource, shared)])
+
+
 @pytest.mark.parametrize("page", [p for p in PAGES if p.name != HISTORY], ids=lambda p: p.name)
 def test_scripts_that_are_shown_exist_and_know_their_options(page: Path) -> None:
     for line in re.findall(r"python (scripts/[^`\n]+)", page.read_text("utf-8")):
         script, *words = re.split(r"\s+", re.split(r"\s{2,}", line.strip())[0])
         assert there(script.rstrip(".,)")), script
-        known = (ROOT / script.rstrip(".,)")).read_text("utf-8")
+        known = with_shared_options((ROOT / script.rstrip(".,)")).read_text("utf-8"))
         for option in (word for word in words if word.startswith("--")):
             assert f'"{option}"' in known, f"{option} of {script}"
 
