@@ -60,7 +60,7 @@ def _page(solid: Solid, paper: Paper, title: str, questions: list[Question], sol
     box = np.array([[left, _MARGIN + 12.0], [right, _MARGIN + 12.0 + _DRAWING]])
     yield from drawing_items(solid, box)
     y = float(box[1, 1]) + _LINE
-    unit = "units" if solid.unit == "px" else solid.unit
+    unit = _unit(solid)
     yield Label("text", f"Given: {_given(solid, unit)}.", np.array([left, y]), _TEXT)
     y += 0.65 * _LINE
     yield Label("text", f"All lengths are in {unit}. The drawing is not to scale.", np.array([left, y]), _TEXT)
@@ -74,6 +74,11 @@ def _page(solid: Solid, paper: Paper, title: str, questions: list[Question], sol
                 yield Label("solution", question.answer[k], np.array([left + 8.0, y]), _TEXT)
             elif not solved:
                 yield Stroke("text", np.array([[left + 8.0, y], [right, y]]))
+
+
+def _unit(solid: Solid) -> str:
+    """What lengths are told in; pixels of a drawing are no length of a solid."""
+    return "units" if solid.unit == "px" else solid.unit
 
 
 def _given(solid: Solid, unit: str) -> str:
@@ -103,7 +108,7 @@ def _many(count: int, word: str) -> str:
 
 def _volume(solid: Solid) -> tuple[str, ...]:
     """The volume and how it is found."""
-    unit = "units" if solid.unit == "px" else solid.unit
+    unit = _unit(solid)
     result = f"V = {_rounded(solid.volume)} {unit}³"
     extrusion = extrusion_of(solid)
     if extrusion is None:
@@ -120,7 +125,7 @@ def _volume(solid: Solid) -> tuple[str, ...]:
 
 def _surface(solid: Solid) -> tuple[str, ...]:
     """The surface and how it is found."""
-    unit = "units" if solid.unit == "px" else solid.unit
+    unit = _unit(solid)
     result = f"{_rounded(solid.area)} {unit}²"
     extrusion = extrusion_of(solid)
     if extrusion is None:
