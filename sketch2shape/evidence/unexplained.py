@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sketch2shape.model import DrawnArc, Floats, Ink, TwoFaceObject
+from sketch2shape.model import Floats, Ink, TwoFaceObject
 from sketch2shape.strokes import trace_strokes
 
 _PLACES = 12
@@ -47,9 +47,5 @@ def _distance(points: Floats, objects: Sequence[TwoFaceObject]) -> Floats:
 
 def _lines(obj: TwoFaceObject) -> Floats:
     """(k, 2, 2) its edges, silhouettes and chords of its arcs, pixels."""
-    arcs = [np.stack([p[:-1], p[1:]], axis=1) for p in (_closed(arc) for arc in obj.arcs)]
+    arcs = [np.stack([p[:-1], p[1:]], axis=1) for p in (arc.path for arc in obj.arcs)]
     return np.concatenate([obj.vertices[obj.edges], obj.silhouettes, *arcs])
-
-
-def _closed(arc: DrawnArc) -> Floats:
-    return np.concatenate([arc.points, arc.points[:1]]) if arc.start is None else arc.points

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, line, prism, shrunk
 
-from sketch2shape.evidence.energy import compare, nearest_edges
+from sketch2shape.evidence.energy import BLUR, CORRELATED, WITHIN, compare, nearest_edges
 from sketch2shape.evidence.view import FOREIGN, STROKE, STROKE_UNIT, foreign_price, observe
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.ink import split_groups
@@ -134,3 +134,19 @@ def test_more_noise_is_a_reason_only_near_the_noise_of_the_hand():
     compared = compare(off, view, ALL, 4.0)
     assert compared.energy(10.0).noise > 1.0
     assert compared.energy(0.1).noise == view.noises[0]
+
+
+@pytest.mark.parametrize("noise", [1.5, 4.0])
+def test_straying_ink_costs_by_the_square_of_its_distance_until_it_is_foreign(noise):
+    view, offset = view_of(prism(SQUARE, SQUARE + DEPTH))
+    compared = compare(BOX.shifted(-offset), view, ALL, 4.0)
+
+    def at(distance):
+        _, edge = compared.every
+        return compared._ink((np.full(len(edge), distance), edge), noise)
+
+    (on, nothing), (off, none), (_, foreign) = at(0.0), at(3.0 * noise), at(WITHIN * noise + BLUR + 0.01)
+    lengths = view.length.sum() / max(view.pen, CORRELATED * view.size)
+    assert off - on == pytest.approx(lengths * 4.5)  # half of three standard deviations squared
+    assert (nothing, none) == (0.0, 0.0)
+    assert foreign == pytest.approx(view.all_foreign)

@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
+from round_sketches import CYLINDER, drawn
 from sketches import DEPTH, L_SHAPE, SQUARE, ink_of, line, paper, prism
 
 import sketch2shape as s2s
 from sketch2shape.evidence import unexplained_strokes
+from sketch2shape.model import DrawnArc, Ellipse, TwoFaceObject
 from sketch2shape.pictures import overlay
+from sketch2shape.sweeps import redraw
 
 BOX = s2s.TwoFaceObject(SQUARE, SQUARE + DEPTH)
 
@@ -39,3 +42,15 @@ def test_a_refusal_names_a_stroke_and_carries_its_guess(monkeypatch):
     marked = overlay(guess)
     red = (marked[..., 0].astype(int) - marked[..., 1] > 60)[: marked.shape[0] * 9 // 10, : marked.shape[1] // 8]
     assert red.any()
+
+
+def test_arcs_and_outlines_of_curved_sides_explain_their_ink():
+    (ring,), none = CYLINDER.rings, np.zeros((0, 2))
+    ellipse = Ellipse(np.array([240.0, 120]), (90.0, 36.0), 0.0)
+    ends = [("f1", ring.line), ("f2", ring.line + CYLINDER.way.of(ring.line))]
+    arcs = tuple(DrawnArc(face, None, None, None, ellipse, points) for face, points in ends)
+    outlines = redraw(CYLINDER, 4.0, 3.0).silhouettes
+    ink = ink_of(drawn(CYLINDER))
+    assert len(unexplained_strokes(ink, [TwoFaceObject(none, none, arcs=arcs, silhouettes=outlines)])) == 0
+    assert len(unexplained_strokes(ink, [TwoFaceObject(none, none, arcs=arcs)])) == 2
+    assert len(unexplained_strokes(ink, [TwoFaceObject(none, none, arcs=arcs[:1], silhouettes=outlines)])) > 2

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
 
-from sketch2shape.hypotheses.opaque import caps
+from sketch2shape.hypotheses.opaque import PULL, Rungs, _swept, caps
 from sketch2shape.hypotheses.regions import Region, enclosed_regions
+from sketch2shape.hypotheses.wireframe import CornerGraph
 from sketch2shape.search.tolerances import Round, corner_graph, vertex_candidates
 from sketch2shape.strokes.junctions import join_ends
 from sketch2shape.strokes.skeleton import thin
@@ -66,3 +67,13 @@ def test_a_speck_on_a_corner_is_no_hole():
     found = list(caps(graph, [speck], ink.pen_width))
     assert found
     assert all(len(ring) >= 3 for r in found for ring in r.front)
+
+
+@pytest.mark.parametrize(("tolerances", "pulls"), [(0.9 * PULL, True), (1.1 * PULL, False)])
+def test_the_end_of_a_rung_near_its_place_pulls_the_back_vertex_there(tolerances, pulls):
+    graph = CornerGraph(np.zeros((0, 2)), np.zeros((0, 0), bool), 8.0)
+    ends = SQUARE + DEPTH
+    ends[2] += [8.0 * tolerances, 0.0]
+    found = [r.back[0] for r in _swept(SQUARE, (), Rungs(np.arange(4), ends), graph, 1)]
+    assert np.allclose(found[0], SQUARE + DEPTH)
+    assert any(np.allclose(back, ends) for back in found) == pulls

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, L_SHAPE, SQUARE, ink_of, line, outline, paper, prism
 
-from sketch2shape.hypotheses.regions import enclosed_regions, grown_area, sharpened
+from sketch2shape.hypotheses.regions import enclosed_regions, grown_area, reductions, sharpened
 
 
 def regions_of(picture):
@@ -59,3 +59,30 @@ def test_an_area_grows_as_opencv_dilates_it_also_at_the_edge_of_the_picture(radi
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * radius + 1, 2 * radius + 1))
     assert (grown_area(part, radius) == cv2.dilate(part, disc)).all()
     assert (1 - grown_area(1 - part, radius) == cv2.erode(part, disc)).all()
+
+
+def test_a_cut_corner_is_made_sharp_where_its_neighbours_meet():
+    cut = np.array([[6.0, 0], [100, 0], [100, 100], [0, 100], [0, 4]])
+    assert off(sharpened(cut, 10.0), np.array([[0.0, 0], [100, 0], [100, 100], [0, 100]])) < 1e-9
+    assert np.array_equal(sharpened(cut, 5.0), cut)  # no edge is short
+
+
+def test_a_step_whose_neighbours_meet_behind_it_stays():
+    step = np.array([[0.0, 100], [0, 0], [5, 0], [105, -100], [200, 100]])
+    assert np.array_equal(sharpened(step, 10.0), step)
+
+
+def test_a_triangle_stays_however_short_its_edges():
+    triangle = np.array([[0.0, 0], [100, 0], [100, 4]])
+    assert np.array_equal(sharpened(triangle, 10.0), triangle)
+
+
+def test_reductions_lose_a_vertex_each_and_little_of_the_area():
+    bumped = np.array([[120.0, 140], [190, 137], [270, 140], [270, 290], [120, 290]])
+    found = reductions(bumped)
+    assert [len(p) for p in found] == [5, 4]
+    assert np.array_equal(found[0], bumped)
+    bump = 0.5 * 150 * 3
+    assert off(found[1], SQUARE) < 6
+    assert abs(cv2.contourArea(found[1].astype(np.float32)) - cv2.contourArea(bumped.astype(np.float32))) <= bump
+    assert [len(p) for p in reductions(bumped, 0.9)] == [5, 4, 3]

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, shrunk
 
 from sketch2shape.hypotheses import CornerGraph, walked
+from sketch2shape.hypotheses.walks import INK, VERTEX, _closed, _steps
 from sketch2shape.model.drawing import ring_edges
 
 SIZE, TOLERANCE = 400.0, 8.0
@@ -77,3 +78,33 @@ def test_shift_and_order_of_the_corners_change_nothing(seed, scale):
     mixed = CornerGraph(plain.points[order] + 50.0, plain.inked[np.ix_(order, order)], TOLERANCE * scale)
     moved = {faces(r.front[0] - 50.0, r.back[0] - 50.0) for r in walked(mixed, SIZE * scale, 3.0)}
     assert faces(front, back) in moved
+
+
+@pytest.mark.parametrize(("tolerances", "price"), [(0.0, 0.0), (1.0, 0.5), (3.0, 4.5), (6.0, VERTEX)])
+def test_a_step_saves_its_ink_less_a_vertex_and_what_neighbours_differ_by(tolerances, price):
+    back = SQUARE + DEPTH
+    back[1] += [tolerances * TOLERANCE, 0.0]
+    graph = graph_of(SQUARE, back)
+    steps = _steps(graph, SIZE)
+    first, second = (steps.rungs.tolist().index([k, k + 4]) for k in (0, 1))
+    (rank,) = np.flatnonzero((steps.near[first] == second) & np.isfinite(steps.gain[first]))
+    ink = 150.0 + (back[1, 0] - back[0, 0]) + np.hypot(*(back[1] - SQUARE[1]))
+    assert steps.gain[first, rank] == pytest.approx(100.0 * INK * ink / SIZE - VERTEX - price)
+
+
+def test_no_walk_turns_back_along_the_edge_it_came_by():
+    # a corner in the middle of the first edge, whose halves are edges too, and an edge from there across the face
+    front = np.insert(SQUARE, 4, [[195.0, 140.0]], axis=0)
+    points = np.concatenate([front, front + DEPTH])
+    inked = np.zeros((10, 10), bool)
+    for i, j in [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (4, 1), (4, 3)]:
+        inked[[i, j, i + 5, j + 5], [j, i, j + 5, i + 5]] = True
+    inked[np.arange(10), np.roll(np.arange(10), 5)] = True
+    graph = CornerGraph(points, inked, TOLERANCE)
+    steps = _steps(graph, SIZE)
+    walks = [steps.rungs[path, 0].tolist() for _, path in _closed(steps, graph)]
+    assert any({0, 1, 2, 3} == set(walk) for walk in walks)
+    for walk in walks:
+        corners = [k % 5 for k in walk]
+        runs = zip(corners, corners[1:], corners[2:], strict=False)
+        assert not [run for run in runs if run in ((0, 1, 4), (4, 1, 0), (1, 0, 4), (4, 0, 1))]

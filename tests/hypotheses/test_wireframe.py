@@ -9,6 +9,10 @@ from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.hypotheses.wireframe import (
     CornerGraph,
     Ladder,
+    _chains,
+    _from_two,
+    _links,
+    _refitted,
     _runs_through,
     cycles,
     ladders,
@@ -130,3 +134,47 @@ def test_a_link_past_a_corner_of_both_faces_runs_through_and_is_left_for_later()
     assert found.index([0, 1, 2, 3]) < found.index([0, 2, 3])
     bent = CornerGraph(points + np.where(np.arange(8)[:, None] == 5, [0.0, 30.0], 0.0), inked, 5.0)
     assert not _runs_through(ladder, bent).any()
+
+
+@pytest.mark.parametrize("ring", [SQUARE[:3], SQUARE, HEXAGON], ids=["wedge", "box", "hexagon"])
+def test_chains_are_of_linked_rungs_and_of_six_corners(ring):
+    graph = graph_of((ring, ring + DEPTH))
+    rungs = np.argwhere(graph.inked)
+    links = _links(graph, rungs)
+    chains = _chains(rungs, links)
+    assert len(chains) >= len(ring)
+    assert links[chains[:, 0], chains[:, 1]].all()
+    assert links[chains[:, 1], chains[:, 2]].all()
+    for face in (0, 1):
+        assert all(len(set(corners)) == 3 for corners in rungs[chains, face].tolist())
+    assert len({frozenset((a, c)) | {(b,)} for a, b, c in chains.tolist()}) == len(chains)
+
+
+def rungs_between(graph, front, back):
+    """The rungs from each vertex of the front to the one behind it."""
+    place = {tuple(p): k for k, p in enumerate(graph.points.tolist())}
+    return np.array([[place[tuple(a)], place[tuple(b)]] for a, b in zip(front.tolist(), back.tolist(), strict=True)])
+
+
+def test_two_rungs_of_a_frustum_tell_its_similarity():
+    back = shrunk(L_SHAPE, 0.6, np.array([420.0, 40]))
+    graph = graph_of((L_SHAPE, back))
+    maps = _from_two(graph, rungs := np.argwhere(graph.inked), _links(graph, rungs))
+    missed = np.abs(homology.apply(maps, L_SHAPE) - back).max(axis=(1, 2))
+    other = np.abs(homology.apply(maps, back) - L_SHAPE).max(axis=(1, 2))
+    assert min(missed.min(), other.min()) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("front", "back", "scale"),
+    [(L_SHAPE, L_SHAPE + DEPTH, 1.0), (L_SHAPE, shrunk(L_SHAPE, 0.6, np.array([420.0, 40])), 0.6)],
+    ids=["prism", "frustum"],
+)
+def test_rungs_are_fitted_by_the_simplest_map_that_carries_them(front, back, scale):
+    graph = graph_of((front, back))
+    rungs = rungs_between(graph, front, back)
+    rough = homology.translation(np.array([[70.0, -50]]))
+    fitted = _refitted(graph, rungs, np.ones((1, len(rungs)), bool), rough)
+    assert np.abs(homology.apply(fitted, front)[0] - back).max() < 1e-6
+    assert np.allclose(fitted[0, :2, :2], scale * np.eye(2))
+    assert np.allclose(fitted[0, 2], [0, 0, 1])
