@@ -1,11 +1,14 @@
 """From the ink to the best verified hypothesis, drawing by drawing."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
 
 from sketch2shape.geometry.homology import apply
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
+from sketch2shape.search.search import DENSE, _searched
 
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
 TWO_POINT = apply(np.eye(3) + np.outer([900.0, -200, 1], [-2e-4, 2e-4, 0.12]), SQUARE)
@@ -119,3 +122,13 @@ def test_the_pen_and_the_size_of_the_drawing_do_not_matter():
 )
 def test_what_is_no_object_gets_no_confidence(picture):
     assert all(o.confidence < 0.5 for o in found_in(picture))
+
+
+@pytest.mark.parametrize(("strokes", "score", "looks"), [(DENSE + 1, 0.0, 1), (DENSE, 0.0, 3), (DENSE + 1, 0.5, 3)])
+def test_a_scribble_is_not_looked_at_again(monkeypatch, strokes, score, looks):
+    monkeypatch.setattr("sketch2shape.search.search._refined_of", lambda _: [])
+    traced = SimpleNamespace(strokes=SimpleNamespace(ends=np.zeros((strokes, 2, 2))))
+    tries = [SimpleNamespace(number=n, score=score, traced=traced, is_whole=True) for n in (1, 2, 3)]
+    taken = []
+    assert _searched((taken.append(t) or t for t in tries), None, None) is None
+    assert len(taken) == looks

@@ -1,0 +1,76 @@
+"""Objects of a sheet: which groups of ink are looked at, and what is given for them."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
+
+from sketch2shape.evidence import REFUSE_BELOW
+from sketch2shape.search import objects
+
+
+class Answer(SimpleNamespace):
+    """What `find_one` gives: the size of its group, and how sure it is."""
+
+    def shifted(self, by):
+        assert by.shape == (2,)
+        return self
+
+
+@pytest.fixture
+def sheet(monkeypatch):
+    """The confidences given for groups of these sizes, and those that were asked for."""
+
+    def given(*groups):
+        some = [SimpleNamespace(size=size, offset=np.zeros(2), sure=sure) for size, sure in groups]
+        asked = []
+
+        def find_one(group):
+            asked.append(group.size)
+            return None if group.sure is None else Answer(size=group.size, confidence=group.sure)
+
+        monkeypatch.setattr(objects, "split_groups", lambda _: some)
+        monkeypatch.setattr(objects, "find_one", find_one)
+        return [f.confidence for f in objects.find_all(None)], asked
+
+    return given
+
+
+LOW = REFUSE_BELOW / 2
+
+
+@pytest.mark.parametrize("vain", range(objects.MOST_VAIN + 2))
+def test_so_many_groups_without_an_object_make_a_sheet_of_writing(sheet, vain):
+    found, asked = sheet(*[(100, None)] * vain, (100, 0.9))
+    assert found == ([0.9] if vain < objects.MOST_VAIN else [])
+    assert len(asked) == min(vain + 1, objects.MOST_VAIN)
+
+
+def test_an_answer_that_is_refused_is_in_vain_too_and_the_first_is_kept(sheet):
+    found, asked = sheet(*[(100, LOW / k) for k in (1, 2, 3)], (100, 0.9))
+    assert found == [LOW]
+    assert len(asked) == objects.MOST_VAIN
+
+
+def test_a_refused_answer_gives_way_to_one_that_is_not(sheet):
+    assert sheet((100, LOW), (90, 0.9))[0] == [0.9]
+    assert sheet((100, 0.9), (90, LOW))[0] == [0.9]
+    assert sheet((100, REFUSE_BELOW), (90, 0.9))[0] == [REFUSE_BELOW, 0.9]
+
+
+def test_what_is_far_smaller_than_the_first_object_is_a_letter(sheet):
+    least = 100 * objects.LEAST_COMPANION
+    assert sheet((100, 0.9), (least, 0.8), (least - 1, 0.7)) == ([0.9, 0.8], [100, least])
+
+
+def test_an_empty_sheet_has_none(sheet):
+    assert sheet() == ([], [])
+
+
+def test_letters_beside_a_box_are_passed_over():
+    picture = prism(SQUARE, SQUARE + DEPTH)
+    line(picture, [20, 20], [40, 40])
+    line(picture, [40, 20], [20, 40])
+    assert len(objects.find_all(ink_of(picture))) == 1
+    assert objects.find_all(ink_of(line(paper(), [50, 50], [400, 60]))) == []
