@@ -2,7 +2,8 @@
 
 Nobody knows beforehand how straight a drawing's lines are, so hypotheses are looked for in rounds of growing tolerance
 (`attempts`). Those that could win are refined and priced by one energy under the noise of one hand; the cheapest holds.
-The search ends when no other could save as much as it would cost, or when more rounds bring nothing new.
+The search ends when no other could save as much as it would cost, when more rounds bring nothing new, or, before the
+second look, when the answer can be trusted.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from sketch2shape.evidence import (
 from sketch2shape.fit import on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group
-from sketch2shape.model import Floats
+from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
 from sketch2shape.search.tolerances import Traced, is_wireframe
 from sketch2shape.strokes import Skeleton, bridged, thin
@@ -121,12 +122,19 @@ def observed(group: Group) -> Observed | None:
 
 
 def find(seen: Observed) -> Found | None:
-    """The best hypothesis without arcs for the ink of one object, or None."""
-    best: Found | None = None
-    for look in (attempts, second_attempts):
-        best = _searched(look(seen.group, seen.skeleton), seen.view, best)
-        if best is not None and _leaves_nothing(best):
-            break
+    """The best hypothesis without arcs for the ink of one object, or None.
+
+    An answer that can be trusted needs no second look: of 106 such answers it changed two, none for the better.
+    """
+    best = _told(_searched(attempts(seen.group, seen.skeleton), seen.view, None))
+    if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
+        return best
+    again = _searched(second_attempts(seen.group, seen.skeleton), seen.view, best)
+    return best if again is best else _told(again)
+
+
+def _told(best: Found | None) -> Found | None:
+    """The answer with what speaks for and against it, and how sure that makes it."""
     if best is None or best.energy is None or best.compared is None:
         return None
     told = witnesses(best.rings, best.energy, best.compared, best.evidence)
