@@ -8,7 +8,16 @@ from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
 from sketch2shape.ink.groups import split_groups
 from sketch2shape.model.drawing import ring_edges
-from sketch2shape.search.tolerances import Round, Traced, corner_graph, is_wireframe, rounds_for, vertex_candidates
+from sketch2shape.search.tolerances import (
+    COVERED,
+    ROUGHLY,
+    Round,
+    Traced,
+    corner_graph,
+    is_wireframe,
+    rounds_for,
+    vertex_candidates,
+)
 from sketch2shape.strokes.skeleton import thin
 
 
@@ -57,3 +66,31 @@ def test_ruled_lines_hardly_wobble_and_wavy_ones_do():
 def test_without_small_pieces_there_are_no_ends_of_dashes():
     assert len(traced(prism(SQUARE, SQUARE + DEPTH))[1].dash_ends) == 0
     assert len(traced(prism(SQUARE, SQUARE + DEPTH, "dashed"))[1].dash_ends) > 0
+
+
+@pytest.mark.parametrize(
+    ("part", "covered", "roughly"), [(0.97, True, True), (0.82, False, True), (0.65, False, False)]
+)
+def test_an_edge_is_one_if_most_of_it_is_inked_and_a_careless_one_if_much_is(part, covered, roughly):
+    a, b = np.array([60.0, 200]), np.array([400.0, 200])
+    group, ruled = traced(line(paper(), a, a + part * (b - a)))
+    points = np.array([a, b]) - group.offset
+    for least, inked in ((COVERED, covered), (ROUGHLY, roughly)):
+        assert corner_graph(ruled.skeleton, points, 2.0, least).inked.tolist() == [[False, inked], [inked, False]]
+
+
+def test_corners_nearer_than_two_pens_have_no_edge_between_them():
+    group, ruled = traced(line(paper(), [60, 200], [400, 200], width=8))
+    pen = ruled.skeleton.pen_width
+    for pens, inked in ((1.8, False), (2.2, True)):
+        points = np.array([[100.0, 200], [100.0 + pens * pen, 200]]) - group.offset
+        assert corner_graph(ruled.skeleton, points, 2.0).inked[0, 1] == inked
+
+
+@pytest.mark.parametrize("width", [2, 8])
+def test_corners_are_as_loose_as_pen_and_reach(width):
+    group, ruled = traced(line(paper(), [60, 200], [400, 200], width=width))
+    points = np.array([[60.0, 200], [400.0, 200]]) - group.offset
+    narrow, wide = (corner_graph(ruled.skeleton, points, reach).tolerance for reach in (2.0, 6.0))
+    assert narrow == pytest.approx(0.75 * ruled.skeleton.pen_width + 4.5)
+    assert wide - narrow == pytest.approx(6.0)
