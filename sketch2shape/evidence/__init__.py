@@ -9,7 +9,7 @@ from sketch2shape.evidence.redrawing import compare_sweep
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
 from sketch2shape.evidence.sweep_calibration import sweep_confidence
-from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses
+from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses, unexplained_part
 from sketch2shape.evidence.unexplained import unexplained_strokes
 from sketch2shape.evidence.view import STROKE, View, observe
 from sketch2shape.evidence.witness import WITNESSES, witnesses
@@ -38,6 +38,7 @@ __all__ = [
     "sheet_for",
     "sweep_confidence",
     "sweep_witnesses",
+    "unexplained_part",
     "unexplained_strokes",
     "vouched",
     "witnesses",

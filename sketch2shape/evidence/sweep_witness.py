@@ -6,7 +6,7 @@ import numpy as np
 
 from sketch2shape.evidence.energy import Comparison, Energy
 from sketch2shape.evidence.witness import attached, closed
-from sketch2shape.model import Floats
+from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.sweeps import Sweep
 
 SWEEP_WITNESSES = (
@@ -38,8 +38,7 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
     leaning : nats for how it stands, see `search.sweeping`
     """
     view = compared.view
-    distance, edge = compared.seen if energy.lines == "removed" else compared.every
-    left = distance > 3 * energy.noise + 0.5
+    left, distance, edge = _left(energy, compared)
     ink = float(view.length.sum()) + 1e-9
     hidden = float(compared.hidden.sum()) / (float(compared.lengths.sum()) / view.unit + 1e-9)
     line = sweep.rings[0].line
@@ -48,7 +47,7 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
     lines = len(np.unique(edge[~left])) if (~left).any() else 0
     return np.array(
         [
-            float(view.length[left].sum()) / ink,
+            unexplained_part(energy, compared),
             attached(view, left, distance, view.size) / ink,
             closed(view, left) / view.size,
             np.log1p(energy.missing),
@@ -65,6 +64,19 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
             float(lines <= FEW_LINES),
         ]
     )
+
+
+def unexplained_part(energy: Energy, compared: Comparison) -> float:
+    """Part of the ink that lies on none of a sweep's lines, 0..1."""
+    view = compared.view
+    left, _, _ = _left(energy, compared)
+    return float(view.length[left].sum()) / (float(view.length.sum()) + 1e-9)
+
+
+def _left(energy: Energy, compared: Comparison) -> tuple[Bools, Floats, Ints]:
+    """(k,) which ink lies on no line, its distance to the nearest one, pixels, and that line's number."""
+    distance, edge = compared.seen if energy.lines == "removed" else compared.every
+    return distance > 3 * energy.noise + 0.5, distance, edge
 
 
 FEW_LINES = 4

@@ -13,7 +13,7 @@ from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.search import Found, find, observed
-from sketch2shape.search.sweeping import FoundSweep, find_sweep
+from sketch2shape.search.sweeping import SLIGHT, FoundSweep, find_sweep
 from sketch2shape.strokes import Skeleton
 
 MOST_VAIN = 3
@@ -32,6 +32,9 @@ LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 
 EVEN_ODDS = 0.5
 """Confidence below which an answer with arcs or a point is likelier wrong than right, and not given."""
+
+LIKELY = 0.7
+"""Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 
 AnyFound: TypeAlias = Found | FoundSweep
 """An answer for a group of ink, in its working pixels or those of the sheet."""
@@ -63,11 +66,11 @@ def find_one(group: Group) -> AnyFound | None:
         return None
     bowed = bowed_part(seen.skeleton, seen.view.size)
     swept = find_sweep(seen) if bowed >= BOWED else None
-    if swept is not None and _is_proper(swept) and swept.confidence >= TRUSTED:
+    if swept is not None and _is_proper(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
         return swept
     straight = find(seen)
     doubted = straight is None or straight.confidence < TRUSTED
-    if swept is None and (doubted or bowed >= SOME_BOWED):
+    if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
         swept = find_sweep(seen, arcs=bowed >= SOME_BOWED)
     return _better(straight, swept)
 

@@ -21,6 +21,7 @@ from sketch2shape.model import Floats
 from sketch2shape.strokes import Skeleton, Strokes, trace_skeleton
 from sketch2shape.sweeps import (
     Cells,
+    Loop,
     Sweep,
     Way,
     centres,
@@ -33,13 +34,20 @@ from sketch2shape.sweeps import (
     pyramids,
     settled,
     shifts,
-    ways_of,
+    ways_along,
+    ways_towards,
 )
 
 MOST_OUTLINES = 14
 """Outlines that are probed."""
 TAPERS = 2
 """Ways that taper which are tried with one outline."""
+ENOUGH = 0.8
+"""Value of a pair from which on it may be the right one: hidden lines are not counted as explained."""
+MOST_PRICED = 10
+"""Pairs of a batch, those that explain most at a glance."""
+WORSE = 0.2
+"""Part of the ink that a pair may explain less than the best of its batch."""
 ALIKE = 0.02
 """Fraction of the drawing's size within which two outlines, or their images, are one."""
 SHALLOW_PENS, SHALLOW = 3.0, 0.02
@@ -104,17 +112,23 @@ class Scene:
         return np.concatenate([centres(s, self.size) for s in self.strokes])
 
     @cached_property
-    def ellipses(self) -> list[Floats]:
-        """Ellipses (k, 2) that bowed lines lie on."""
-        return ellipses(self.skeleton, self.size)
+    def along(self) -> Floats:
+        """(d, 2) directions of long strokes."""
+        return distinct_directions(np.concatenate([directions(s, self.size) for s in self.strokes]))
 
     @cached_property
-    def loops(self) -> list[Floats]:
-        """Closed lines (k, 2): what solid lines enclose, and ellipses."""
+    def ellipses(self) -> list[Loop]:
+        """Ellipses that bowed lines lie on."""
+        return [Loop(line) for line in ellipses(self.skeleton, self.size)]
+
+    @cached_property
+    def loops(self) -> list[Loop]:
+        """Closed lines: ellipses, and what solid lines enclose."""
         enclosed = enclosed_loops(self.group.solid, self.skeleton.pen_width)
         near = ALIKE * self.size
         # what other lines cross is enclosed in pieces, and roughly: an ellipse is the better line
-        return [*self.ellipses, *(e for e in enclosed if not any(are_close(e, loop, near) for loop in self.ellipses))]
+        others = [e for e in enclosed if not any(are_close(e, loop.line, near) for loop in self.ellipses)]
+        return [*self.ellipses, *map(Loop, others)]
 
     @cached_property
     def cells(self) -> Cells:
@@ -130,14 +144,14 @@ class Scene:
 class Pair(NamedTuple):
     """An outline with a way to the back face.
 
-    loop     : (k, 2) float, pixels
+    loop     : the outline
     way      : to the back face
     is_near  : whether the outline is that of the nearer face
     is_whole : whether all of the outline has an image on ink, hidden or not
     value    : see `Cells.value`
     """
 
-    loop: Floats
+    loop: Loop
     way: Way
     is_near: bool = True
     is_whole: bool = False
@@ -146,29 +160,25 @@ class Pair(NamedTuple):
     @property
     def places(self) -> Floats:
         """(6,) float, pixels: extent and middle of the outline, middle of its image."""
-        middle = self.loop.mean(axis=0)
-        return np.concatenate([np.ptp(self.loop, axis=0), middle, middle + self.way.of(middle[None])[0]])
-
-    @property
-    def tapers(self) -> bool:
-        """Whether the back face is smaller, but no point."""
-        return self.way.centre is not None and not self.way.is_pointed
+        middle = self.loop.line.mean(axis=0)
+        return np.concatenate([np.ptp(self.loop.line, axis=0), middle, middle + self.way.of(middle[None])[0]])
 
 
-def pairs_of(scene: Scene) -> list[Pair]:
-    """Outlines and ways that a glance at the ink supports, those that explain most of it first."""
-    some = (
-        p._replace(value=scene.cells.value(p.loop, p.way, is_near=p.is_near))
-        for p in _distinct(_all_pairs(scene), scene.size)
-    )
-    ranked = sorted(some, key=lambda p: -p.value)
-    tapers: dict[int, int] = {}
-    kept = []
-    for pair in ranked:
-        tapers[id(pair.loop)] = tapers.get(id(pair.loop), 0) + pair.tapers
-        if not pair.tapers or tapers[id(pair.loop)] <= TAPERS:
-            kept.append(pair)
-    return kept
+def pairs_of(scene: Scene) -> Iterator[list[Pair]]:
+    """Outlines and ways that a glance at the ink supports, those that explain most of it first.
+
+    The sources are asked in turn. A batch ends where a pair explains about all that lines without hidden ones can:
+    whoever is content with it need not ask for more.
+    """
+    ranked: list[Pair] = []
+    for source in (_moved, _drawn_together, _coherent):
+        every = (p for p in _distinct(source(scene), scene.size) if not is_flat(p.way, p.loop.line, scene))
+        ranked += [p._replace(value=scene.cells.value(p.loop, p.way, is_near=p.is_near)) for p in every]
+        ranked.sort(key=lambda p: -p.value)
+        if ranked and (ranked[0].value >= ENOUGH or source is _coherent):
+            good = [p for p in ranked[:MOST_PRICED] if p.value >= ranked[0].value - WORSE]
+            ranked = ranked[len(good) :]
+            yield good
 
 
 def _distinct(pairs: Iterable[Pair], size: float) -> Iterator[Pair]:
@@ -182,23 +192,33 @@ def _distinct(pairs: Iterable[Pair], size: float) -> Iterator[Pair]:
             yield pair
 
 
-def _all_pairs(scene: Scene) -> Iterator[Pair]:
-    along = np.concatenate([directions(s, scene.size) for s in scene.strokes])
-    along = distinct_directions(along)
-    meeting = scene.meeting
+def _moved(scene: Scene) -> Iterator[Pair]:
+    """Prisms and cylinders."""
     for loop in scene.loops[:MOST_OUTLINES]:
-        for way in ways_of(loop, scene.skeleton, along, meeting, scene.size):
+        for way in ways_along(loop, scene.skeleton, scene.along, scene.size):
             yield Pair(loop, way)
+
+
+def _drawn_together(scene: Scene) -> Iterator[Pair]:
+    """Tapered objects and cones."""
+    for loop in scene.loops[:MOST_OUTLINES]:
+        tapered = [Pair(loop, w) for w in ways_towards(loop, scene.skeleton, scene.meeting, scene.size)]
+        told = [scene.cells.value(p.loop, p.way) for p in tapered]
+        yield from (tapered[k] for k in np.argsort(told)[::-1][:TAPERS])
     for loop in scene.ellipses:
-        for centre in meeting:
+        for centre in scene.meeting:
             point = Way(np.zeros(2), centre, 0.0)
             for is_near in (True, False):
                 yield Pair(loop, point, is_near)
+
+
+def _coherent(scene: Scene) -> Iterator[Pair]:
+    """Wireframes: ink that lies on ink again when it is moved."""
     reach = max(3.0, 0.5 * scene.skeleton.pen_width)
-    for shift in shifts(scene.skeleton, along, scene.size):
+    for shift in shifts(scene.skeleton, scene.along, scene.size):
         for d in (shift, -shift):
-            for loop in coherent_loops(scene.skeleton, d, reach, scene.size)[:1]:
-                yield Pair(loop, Way(d), is_whole=True)
+            for line in coherent_loops(scene.skeleton, d, reach, scene.size)[:1]:
+                yield Pair(Loop(line), Way(d), is_whole=True)
 
 
 def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
@@ -206,11 +226,12 @@ def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
     way = pair.way
     if not way.is_pointed:
         way = settled(way, pair.loop, scene.skeleton, scene.size, is_wire=pair.is_whole)
-    if is_flat(way, pair.loop, scene):
+    line = pair.loop.line
+    if is_flat(way, line, scene):
         return
-    axis = way.shift if way.centre is None else way.centre - pair.loop.mean(axis=0)
+    axis = way.shift if way.centre is None else way.centre - line.mean(axis=0)
     axis = axis / (np.hypot(*axis) + 1e-9)
-    for made in cut_ring(evenly(pair.loop), axis, scene.skeleton.pen_width):
+    for made in cut_ring(evenly(line), axis, scene.skeleton.pen_width):
         sweep = Sweep((made.outline,), way, pair.is_near)
         yield _larger_first(sweep)
 

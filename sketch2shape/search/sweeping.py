@@ -15,12 +15,12 @@ import cv2
 import numpy as np
 from scipy.spatial import cKDTree
 
-from sketch2shape.evidence import Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses
+from sketch2shape.evidence import Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses, unexplained_part
 from sketch2shape.fit import polished
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.search import Observed
-from sketch2shape.search.sweep_pairs import ALIKE, Scene, are_close, cut, evenly, is_flat, pairs_of
+from sketch2shape.search.sweep_pairs import ALIKE, Pair, Scene, are_close, cut, evenly, is_flat, pairs_of
 from sketch2shape.sweeps import (
     Outline,
     Sweep,
@@ -29,12 +29,12 @@ from sketch2shape.sweeps import (
     redraw,
 )
 
-MOST_PRICED = 10
-"""Pairs of an outline and a way that are priced, those that explain most at a glance."""
 MOST_PYRAMIDS = 16
 """Pyramids that are priced."""
-WORSE = 0.4
-"""Part of the ink that a pair may explain less than the best one."""
+SLIGHT = 0.03
+"""Part of the ink up to which nothing is left to explain."""
+CLOSE = 40.0
+"""Nats by which a sweep not yet improved may be worse than the best one where that explains all."""
 HOPEFUL = 12.0
 """Nats that may be gained where a simpler object is moved to the ink."""
 MOST_IMPROVED = 3
@@ -86,6 +86,11 @@ class FoundSweep:
         return self.energy.total + _leaning(self.sweep) - LIKELY_HOLE * holes
 
     @property
+    def unexplained(self) -> float:
+        """Part of the ink that lies on none of its lines, 0..1."""
+        return unexplained_part(self.energy, self.compared)
+
+    @property
     def noise(self) -> float:
         """How far lines stray, pixels."""
         return self.energy.noise
@@ -108,37 +113,45 @@ def _priced(scene: Scene, sweep: Sweep) -> FoundSweep:
 
 def find_sweep(seen: Observed, *, arcs: bool = True) -> FoundSweep | None:
     """The best sweep for the ink of one object, or None; without arcs only pyramids are looked for."""
-    skeleton = seen.skeleton
-    scene = Scene(seen.drawn, skeleton, seen.view)
-    begun: list[_Begun] = [(_priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
-    best_value = -np.inf
-    at_a_glance: _Begun | None = None
-    for pair in pairs_of(scene)[:MOST_PRICED] if arcs else ():
-        best_value = max(best_value, pair.value)
-        if pair.value < best_value - WORSE:
+    scene = Scene(seen.drawn, seen.skeleton, seen.view)
+    some: list[_Begun] = []
+    improved: dict[FoundSweep, FoundSweep] = {}
+    for begun in _batches(scene, arcs=arcs):
+        deep = [b for b in begun if _shows_depth(b[0], scene)]
+        some = _unlike(sorted([*some, *deep], key=lambda b: b[0].nats), scene.size)
+        _improve(some[:MOST_IMPROVED], improved, scene)
+        if any(f.unexplained <= SLIGHT for f in improved.values()):
             break
-        cuts = cut(pair, scene)
-        first = [_priced(scene, s) for s in islice(cuts, 1)]
-        if first and first[0].sweep.rings[0].circle is not None:
-            first += [_priced(scene, s) for s in islice(cuts, 1)]
-        begun += [(f, cuts) for f in first]
-        at_a_glance = at_a_glance or (begun[-1] if first else None)
-    begun = [b for b in begun if _shows_depth(b[0], scene)]
-    some = _unlike(sorted(begun, key=lambda b: _nats(b[0])), scene.size)
-    chosen = some[:MOST_IMPROVED]
-    if at_a_glance is not None and at_a_glance not in chosen and _shows_depth(at_a_glance[0], scene):
-        chosen.append(at_a_glance)
-    improved = sorted(
-        (f for f in (_improved(f, rest, scene) for f, rest in chosen) if _shows_depth(f, scene)), key=_nats
-    )
-    if not improved:
+    found = sorted((f for f in improved.values() if _shows_depth(f, scene)), key=lambda f: f.nats)
+    if not found:
         return None
-    best = improved[0]
-    rivals = [
-        _nats(f) for f in (*improved[1:], *(f for f, _ in some[MOST_IMPROVED:])) if not _is_same(f, best, scene.size)
-    ]
-    best = _dashed(best, scene)
-    return best.against(min(rivals, default=np.inf) - _nats(best))
+    best = found[0]
+    rivals = [f.nats for f in (*found[1:], *(f for f, _ in some)) if not _is_same(f, best, scene.size)]
+    return _dashed(best, scene).against(min(rivals, default=np.inf) - best.nats)
+
+
+def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
+    """Sweeps to start from, the likeliest sources first."""
+    for pairs in pairs_of(scene) if arcs else ():
+        yield [b for pair in pairs for b in _outlined(pair, scene)]
+    yield [(_priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
+
+
+def _outlined(pair: Pair, scene: Scene) -> list[_Begun]:
+    """The first way to cut its outline, of an ellipse the first two."""
+    cuts = cut(pair, scene)
+    first = [_priced(scene, s) for s in islice(cuts, 1)]
+    if first and first[0].sweep.rings[0].circle is not None:
+        first += [_priced(scene, s) for s in islice(cuts, 1)]
+    return [(f, cuts) for f in first]
+
+
+def _improve(begun: list[_Begun], improved: dict[FoundSweep, FoundSweep], scene: Scene) -> None:
+    """Improve the best, and others if they are nearly as good or too much is left unexplained."""
+    for found, rest in begun:
+        explained = any(f.unexplained <= SLIGHT for f in improved.values())
+        if found not in improved and (not explained or found.nats < min(f.nats for f in improved) + CLOSE):
+            improved[found] = _improved(found, rest, scene)
 
 
 def _likely_pyramids(scene: Scene) -> list[Sweep]:
@@ -152,10 +165,6 @@ def _places(pyramid: Sweep, near: float) -> Hashable:
     base = pyramid.rings[0].vertices
     apex, *corners = np.rint(np.concatenate([base[:1] + pyramid.way.of(base[:1]), base]) / near).tolist()
     return pyramid.is_near, tuple(apex), frozenset(map(tuple, corners))
-
-
-def _nats(found: FoundSweep) -> float:
-    return found.nats
 
 
 def _leaning(sweep: Sweep) -> float:
@@ -220,12 +229,12 @@ def _is_same(a: FoundSweep, b: FoundSweep, size: float) -> bool:
 
 def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
-    found = min((_moved(f, scene) for f in (found, *(_priced(scene, s) for s in others))), key=_nats)
+    found = min((_moved(f, scene) for f in (found, *(_priced(scene, s) for s in others))), key=lambda f: f.nats)
     found = _with_holes(found, scene)
     found = _simpler(found, scene)
     if found.sweep.way.centre is None:
         other = _priced(scene, found.sweep.reversed())
-        found = min(found, other, key=_nats)
+        found = min(found, other, key=lambda f: f.nats)
     return found
 
 
@@ -234,7 +243,7 @@ def _moved(found: FoundSweep, scene: Scene) -> FoundSweep:
     moved = polished(found.sweep, scene.tree, reach)
     if moved.has_arcs and is_flat(moved.way, moved.rings[0].line, scene):
         return found
-    return min(found, _priced(scene, moved), key=_nats)
+    return min(found, _priced(scene, moved), key=lambda f: f.nats)
 
 
 def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
@@ -253,14 +262,14 @@ def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
             outer = tuple(replace(r, frame=told.frame) for r in rings) if not found.sweep.has_arcs else rings
             sweep = replace(found.sweep, rings=(*outer, told.outline))
             holed = _moved(_priced(scene, sweep), scene)
-            found = min(found, holed, key=_nats)
+            found = min(found, holed, key=lambda f: f.nats)
     return found
 
 
 def _inner_loops(sweep: Sweep, scene: Scene) -> Iterator[Floats]:
     """Closed lines inside the outer ring of the front face, the largest first."""
     outer = sweep.rings[0].line.astype(np.float32)
-    loops = list(scene.loops)
+    loops = [loop.line for loop in scene.loops]
     if sweep.way.centre is None:
         reach = max(3.0, 0.5 * scene.skeleton.pen_width)
         loops = [*coherent_loops(scene.skeleton, sweep.way.shift, reach, scene.size)[1:], *loops]
@@ -279,9 +288,9 @@ def _simpler(found: FoundSweep, scene: Scene) -> FoundSweep:
             for other in _with_one_less(ring):
                 rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
                 way = _priced(scene, replace(found.sweep, rings=rings))
-                if _nats(way) < _nats(found) + HOPEFUL:
+                if way.nats < found.nats + HOPEFUL:
                     way = _moved(way, scene)
-                if _nats(way) < _nats(found):
+                if way.nats < found.nats:
                     found, changed = way, True
                     break
             if changed:

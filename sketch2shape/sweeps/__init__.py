@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from sketch2shape.sweeps.loops import coherent_loops, ellipses, enclosed_loops
+from sketch2shape.sweeps.cells import Cells
+from sketch2shape.sweeps.loops import Loop, coherent_loops, ellipses, enclosed_loops
 from sketch2shape.sweeps.outlines import Circle, Frame, Outline
 from sketch2shape.sweeps.pieces import cut_ring
 from sketch2shape.sweeps.pyramids import pyramids
 from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
-from sketch2shape.sweeps.ways import Cells, centres, directions, distinct_directions, settled, shifts, ways_of
+from sketch2shape.sweeps.ways import (
+    centres,
+    directions,
+    distinct_directions,
+    settled,
+    shifts,
+    ways_along,
+    ways_towards,
+)
 
 __all__ = [
     "Cells",
     "Circle",
     "Frame",
+    "Loop",
     "Outline",
     "Redrawn",
     "Sweep",
@@ -29,5 +39,6 @@ __all__ = [
     "seen_vertices",
     "settled",
     "shifts",
-    "ways_of",
+    "ways_along",
+    "ways_towards",
 ]

@@ -7,12 +7,16 @@ them; and, where all edges are drawn, the ink that lies again on ink when it is 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
 
-from sketch2shape.model import Bools, Floats, Gray, as_gray
+from sketch2shape.geometry import cross
+from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
 from sketch2shape.strokes import Skeleton
+from sketch2shape.sweeps.insides import Inside
 
 LEAST_AREA = 2e-4
 """Part of the square of the drawing's size that a loop encloses at least."""
@@ -31,6 +35,43 @@ JOINT_GAPS = (3.0, 10.0)
 small angle draws the thinned line aside."""
 LEAST_COVERED = 0.42
 """Part of an ellipse that lies on ink: about half may be hidden."""
+
+
+PROBES = 64
+"""Points that stand for a loop where it is moved."""
+CORNER, STRAY = 0.5, 0.012
+"""Angle of a corner, radians, and fraction of a loop's size by which the chords that tell it stray from the line."""
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """A closed line, with what is asked of it again and again.
+
+    line : (k, 2) float, pixels
+    """
+
+    line: Floats
+
+    @cached_property
+    def inside(self) -> Inside:
+        """What it encloses."""
+        return Inside.of([self.line])
+
+    @cached_property
+    def probes(self) -> Floats:
+        """(PROBES, 2) of its points."""
+        return np.asarray(self.line[np.linspace(0, len(self.line), PROBES, endpoint=False).astype(np.intp)])
+
+    @cached_property
+    def corners(self) -> Ints:
+        """(c,) int, the points at which it turns sharply."""
+        stray = STRAY * float(np.hypot(*np.ptp(self.line, axis=0)))
+        chords = cv2.approxPolyDP(self.line.astype(np.float32)[:, None], stray, True)
+        bends = np.asarray(chords[:, 0], float)
+        before, after = bends - np.roll(bends, 1, axis=0), np.roll(bends, -1, axis=0) - bends
+        turn = np.abs(np.arctan2(cross(before, after), (before * after).sum(axis=1)))
+        sharp = bends[turn > CORNER]
+        return np.asarray([int(np.hypot(*(self.line - b).T).argmin()) for b in sharp], np.intp)
 
 
 def enclosed_loops(ink: Bools, pen: float) -> list[Floats]:

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 
 from sketch2shape.geometry import cross
-from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
+from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.sweeps.insides import Inside
 from sketch2shape.sweeps.outlines import Frame, Outline
 
 REGULAR = 6
@@ -216,26 +216,12 @@ def _entries(sweep: Sweep, line: Floats, to: Floats, margin: float) -> Floats:
         centre = np.zeros(2) if sweep.way.centre is None else sweep.way.centre
         place = 1.0 + (FARTHEST - 1.0) * ((np.arange(RAY) + 1.0) / RAY) ** 2
         ray = centre + place[:, None] * (line - centre)[:, None]
-    within = _depth_inside(sweep, ray)
+    within = Inside.of([ring.line for ring in sweep.rings]).at(ray)
     return np.stack([_first(within > margin, place), _first(within > 1.0, place)])
 
 
 def _first(inside: Bools, place: Floats) -> Floats:
     return np.where(inside.any(axis=1), place[inside.argmax(axis=1)], np.inf)
-
-
-def _depth_inside(sweep: Sweep, points: Floats) -> Floats:
-    """Pixels from points (..., 2) inside the front face to its border; 0 outside."""
-    low = np.floor(sweep.rings[0].line.min(axis=0)) - 2
-    size = np.ceil(sweep.rings[0].line.max(axis=0)) + 3 - low
-    mask: Gray = np.zeros((int(size[1]), int(size[0])), np.uint8)
-    cv2.fillPoly(mask, [np.round(ring.line - low).astype(np.int32) for ring in sweep.rings], 1)
-    depth = cv2.distanceTransform(as_gray(mask), cv2.DIST_L2, cv2.DIST_MASK_3)
-    at = np.round(points - low)
-    h, w = depth.shape
-    out = (at < 0).any(axis=-1) | (at[..., 0] >= w) | (at[..., 1] >= h)
-    x, y = np.where(out, 0, at[..., 0]).astype(np.intp), np.where(out, 0, at[..., 1]).astype(np.intp)
-    return np.where(out, 0.0, depth[y, x])
 
 
 def _depth(sweep: Sweep, entry: Floats, r: Floats) -> Ints:

@@ -8,20 +8,17 @@ lies on ink.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
-import cv2
 import numpy as np
 
 from sketch2shape.geometry import line_crossings
-from sketch2shape.model import Bools, Floats, as_gray
+from sketch2shape.model import Bools, Floats
 from sketch2shape.strokes import Skeleton, Strokes, interpolated
+from sketch2shape.sweeps.insides import Inside
+from sketch2shape.sweeps.loops import Loop
 from sketch2shape.sweeps.sweep import Way
 
-PROBES = 64
-"""Points of an outline that are moved."""
 STEPS = 90
 """Steps of a probe across the drawing's size."""
 MOST_DIRECTIONS, MOST_CENTRES = 14, 6
@@ -40,12 +37,8 @@ LEAST_SEEN = 0.12
 """Part of the back face's outline that must be seen to say anything."""
 LEAST_STROKE = 0.07
 """Length of a line over the drawing's size from which it may tell a direction."""
-CELLS, LEAST_CELL = 110, 3.0
-"""Cells across the drawing's size, and least side of one, pixels."""
-MOSTLY = 0.75
-"""Part of a line near ink from which on it is drawn."""
-LACKING = 1.5
-"""Cells with ink that one which lacks it outweighs."""
+BESIDE = 2.5
+"""Pixels by which a point must lie inside an outline to be hidden by it."""
 OUTWARD = 3.0
 """Largest scale of a back face that is the larger one."""
 
@@ -97,38 +90,44 @@ def centres(strokes: Strokes, size: float) -> Floats:
     return np.array(kept).reshape(-1, 2)
 
 
-def ways_of(loop: Floats, skeleton: Skeleton, along: Floats, meeting: Floats, size: float) -> list[Way]:
-    """The likeliest ways of an outline to the back face.
+def ways_along(loop: Loop, skeleton: Skeleton, along: Floats, size: float) -> list[Way]:
+    """The likeliest ways of an outline to a back face of its own size.
 
-    loop    : (k, 2) float, pixels
-    along   : (d, 2) directions to probe
-    meeting : (c, 2) centres to probe
+    along : (d, 2) directions to probe
+    size  : of the drawing, pixels
     """
-    p = loop[np.linspace(0, len(loop), PROBES, endpoint=False).astype(np.intp)]
-    depth = _Depth.of(loop)
-    reach = max(2.0, 0.006 * size)
     step = size / STEPS
     distance = (np.arange(STEPS) + 1.0) * step
-    least = max(3 * skeleton.pen_width, 0.02 * size)
-    far = distance[distance > least]
+    far = distance[distance > _least(skeleton, size)]
     found: list[_Probed] = []
-    for u, (hits, seen) in zip(
-        along, _probe(p, along[:, None] * far[:, None], depth, skeleton, reach + 0.5 * step), strict=True
-    ):
+    for u, (hits, seen) in zip(along, _probe(loop, along[:, None] * far[:, None], skeleton, size), strict=True):
         found += [_Probed(Way(far[k] * u), float(hits[k]), float(seen[k])) for k in _peaks(hits, seen)]
+    return _likeliest(found, loop.probes, size)
+
+
+def ways_towards(loop: Loop, skeleton: Skeleton, meeting: Floats, size: float) -> list[Way]:
+    """The likeliest ways of an outline to a smaller or larger back face.
+
+    meeting : (c, 2) float, pixels, centres to probe
+    size    : of the drawing, pixels
+    """
+    p, found = loop.probes, []
     for c in meeting:
-        nearest = min(least / max(float(np.hypot(*(c - p).T).mean()), 1.0), 0.5)
+        nearest = min(_least(skeleton, size) / max(float(np.hypot(*(c - p).T).mean()), 1.0), 0.5)
         inward, outward = np.linspace(nearest, 0.9, 40), np.linspace(nearest, OUTWARD - 1.0, 60)
         for parts in (inward, -outward):
             ray = parts[None, :, None] * (c - p)[:, None]
-            ((hits, seen),) = _probe(p, ray[None], depth, skeleton, reach + 0.5 * step)
+            ((hits, seen),) = _probe(loop, ray[None], skeleton, size)
             found += [
                 _Probed(Way(np.zeros(2), c, 1.0 - float(parts[k])), float(hits[k]), float(seen[k]))
                 for k in _peaks(hits, seen)
             ]
-    straight = [f for f in found if f.way.centre is None]
-    tapered = [f for f in found if f.way.centre is not None]
-    return [*_likeliest(straight, p, size), *_likeliest(tapered, p, size)]
+    return _likeliest(found, p, size)
+
+
+def _least(skeleton: Skeleton, size: float) -> float:
+    """Pixels below which an outline lies on its own ink wherever it is moved."""
+    return max(3 * skeleton.pen_width, 0.02 * size)
 
 
 def _likeliest(found: list[_Probed], p: Floats, size: float) -> list[Way]:
@@ -143,46 +142,20 @@ def _likeliest(found: list[_Probed], p: Floats, size: float) -> list[Way]:
     return [f.way for k, f in enumerate(some) if not any(f is g for g in some[:k])]
 
 
-def settled(way: Way, loop: Floats, skeleton: Skeleton, size: float, *, is_wire: bool = False) -> Way:
+def settled(way: Way, loop: Loop, skeleton: Skeleton, size: float, *, is_wire: bool = False) -> Way:
     """The way moved by small steps to where the seen image of an outline lies nearest to the ink."""
-    p = loop[np.linspace(0, len(loop), PROBES, endpoint=False).astype(np.intp)]
-    return _settled(way, p, None if is_wire else _Depth.of(loop), skeleton, size / STEPS)
+    return _settled(way, loop.probes, None if is_wire else loop.inside, skeleton, size / STEPS)
 
 
-class _Depth(NamedTuple):
-    """How far inside an outline a place lies."""
-
-    low: Floats
-    map: np.ndarray
-
-    @classmethod
-    def of(cls, loop: Floats) -> _Depth:
-        low = np.floor(loop.min(axis=0)) - 2
-        size = np.ceil(loop.max(axis=0)) + 3 - low
-        mask = np.zeros((int(size[1]), int(size[0])), np.uint8)
-        cv2.fillPoly(mask, [np.round(loop - low).astype(np.int32)], 1)
-        return cls(low, cv2.distanceTransform(as_gray(mask), cv2.DIST_L2, cv2.DIST_MASK_3))
-
-    def within(self, points: Floats, margin: float) -> Bools:
-        """Whether points (..., 2) lie more than the margin inside."""
-        at = (points - (self.low - 0.5)).astype(np.int32)
-        h, w = self.map.shape
-        x, y = at[..., 0], at[..., 1]
-        ok = (x >= 0) & (y >= 0) & (x < w) & (y < h)
-        return np.asarray(ok & (self.map.take(np.where(ok, y * w + x, 0)) > margin))
-
-
-def _probe(
-    p: Floats, moves: Floats, depth: _Depth, skeleton: Skeleton, reach: float
-) -> Iterator[tuple[Floats, Floats]]:
+def _probe(loop: Loop, moves: Floats, skeleton: Skeleton, size: float) -> Iterator[tuple[Floats, Floats]]:
     """(s,) part of the seen outline on ink, and part that is seen, for each of some series of moves.
 
-    p     : (p, 2) points of the outline
-    moves : (m, s, 2), alike for all points, or (m, p, s, 2)
+    moves : (m, s, 2), alike for all points of the outline, or (m, p, s, 2)
     """
+    p, reach = loop.probes, max(2.0, 0.006 * size) + 0.5 * size / STEPS
     for move in moves:
         ray = p[:, None] + move
-        hidden = np.logical_or.accumulate(depth.within(ray, 2.5), axis=1)
+        hidden = np.logical_or.accumulate(loop.inside.holds(ray, BESIDE), axis=1)
         on = _on_ink(ray, skeleton, reach)
         seen = np.count_nonzero(~hidden, axis=0)
         yield np.count_nonzero(on & ~hidden, axis=0) / np.maximum(seen, 1), seen / len(p)
@@ -208,14 +181,15 @@ def _peaks(hits: Floats, seen: Floats) -> Iterator[int]:
         value[max(k - 4, 0) : k + 5] = 0.0
 
 
-def _settled(way: Way, p: Floats, depth: _Depth | None, skeleton: Skeleton, step: float) -> Way:
+def _settled(way: Way, p: Floats, inside: Inside | None, skeleton: Skeleton, step: float) -> Way:
     """The way moved by small steps to where the seen outline lies nearest to the ink."""
 
     def cost(w: Way) -> float:
         to = w.of(p)
         at = p + to
-        if depth is not None:
-            at = at[~depth.within(p[:, None] + np.linspace(0.05, 1, 20)[:, None] * to[:, None], 2.5).any(axis=1)]
+        if inside is not None:
+            ray = p[:, None] + np.linspace(0.05, 1, 20)[:, None] * to[:, None]
+            at = at[~inside.holds(ray, BESIDE).any(axis=1)]
         if len(at) < 8:
             return np.inf
         off = interpolated(skeleton.distance, at)
@@ -242,118 +216,6 @@ def _steps(way: Way, size: float, long: float) -> Iterator[Way]:
             scale = 1.0 - (1.0 - way.scale) * (1.0 + s * size / max(long, 1.0))
             if scale > 0:
                 yield Way(way.shift, way.centre, scale)
-
-
-@dataclass(frozen=True, eq=False)
-class Cells:
-    """The drawing in coarse cells, for a quick look at what an outline and its way would explain.
-
-    side : of a cell, pixels
-    ink  : (h, w) bool, cells with ink
-    near : (h, w) bool, cells with or beside solid lines
-    """
-
-    side: float
-    ink: Bools
-    near: Bools
-
-    @classmethod
-    def of(cls, skeleton: Skeleton, size: float, solid: Bools) -> Cells:
-        """The cells of a skeleton.
-
-        size  : of the drawing, pixels
-        solid : (h, w) bool, ink that is no dash
-        """
-        side = max(size / CELLS, LEAST_CELL)
-        high, wide = (int(n / side) + 4 for n in skeleton.mask.shape)
-        empty = np.zeros((high, wide), np.bool_)
-        cells = cls(side, empty, empty)
-        at = skeleton.points.astype(np.intp)
-        whole = cells.of_points(skeleton.points[solid[at[:, 1], at[:, 0]]])
-        return cls(side, cells.of_points(skeleton.points), _widened(whole))
-
-    def of_points(self, points: Floats) -> Bools:
-        """(h, w) bool, cells with some of these points (..., 2)."""
-        high, wide = self.ink.shape
-        at = (points.reshape(-1, 2) / self.side + 1.5).astype(np.int32)
-        np.clip(at, 0, [wide - 1, high - 1], out=at)
-        cells = np.zeros(high * wide, np.bool_)
-        cells[at[:, 1] * wide + at[:, 0]] = True
-        return cells.reshape(high, wide)
-
-    def value(self, loop: Floats, way: Way, *, is_near: bool = True) -> float:
-        """Part of the ink that an outline, what is seen of its image and the lines between explain, less what lacks."""
-        p = loop[:: max(1, len(loop) // 400)]
-        to = way.of(p)
-        depth = _Depth.of(loop)
-        t = np.linspace(0.04, 1.0, 24)
-        ray = p[:, None] + t[:, None] * to[:, None]
-        if not is_near:
-            # the base of a cone behind its point
-            ray = p[:, None] - 2 * t[:, None] * to[:, None]
-            p = p[~depth.within(ray, 2.5).any(axis=1)]
-            back = p[:0]
-        else:
-            back = (p + to)[~depth.within(ray, 2.5).any(axis=1)]
-        told = self.of_points(np.concatenate([p, back, *self._drawn_sides(loop, way, depth, is_near=is_near)]))
-        lacking = np.count_nonzero(told & ~self.near)
-        explained = np.count_nonzero(_widened(told) & self.ink)
-        return (explained - LACKING * lacking) / (np.count_nonzero(self.ink) + 1)
-
-    def value_of_lines(self, ends: Floats) -> float:
-        """The same of straight lines (k, 2, 2), dashed or not."""
-        told = np.zeros(self.ink.shape, np.uint8)
-        cv2.polylines(told, [*(ends / self.side + 1.5).astype(np.int32)], False, 1)
-        cells = told.view(np.bool_)
-        lacking = np.count_nonzero(cells & ~self.beside)
-        explained = np.count_nonzero(_widened(cells) & self.ink)
-        return (explained - LACKING * lacking) / (np.count_nonzero(self.ink) + 1)
-
-    @cached_property
-    def beside(self) -> Bools:
-        """(h, w) bool, cells with or beside ink."""
-        return _widened(self.ink)
-
-    def _drawn_sides(self, loop: Floats, way: Way, depth: _Depth, *, is_near: bool) -> Iterator[Floats]:
-        """Points of what is seen of the lines between an outline and its image, if they are drawn.
-
-        A polygon that stands for an arc has corners from which no line starts.
-        """
-        q = loop[_sides(loop, way)]
-        lines = q[:, None] + np.linspace(0, 1, 60)[:, None] * way.of(q)[:, None]
-        inside = np.logical_or.accumulate(depth.within(lines, 2.5), axis=1)
-        for line, hidden in zip(lines, inside, strict=True):
-            seen = line[~hidden] if is_near else line
-            if len(seen) and self._near_at(seen).mean() > MOSTLY:
-                yield seen
-
-    def _near_at(self, points: Floats) -> Bools:
-        high, wide = self.ink.shape
-        x, y = np.clip((points / self.side + 1.5).astype(np.int32), 0, [wide - 1, high - 1]).T
-        return np.asarray(self.near[y, x])
-
-
-def _widened(cells: Bools) -> Bools:
-    return cv2.dilate(cells.view(np.uint8), np.ones((3, 3), np.uint8)).view(np.bool_)
-
-
-def _sides(loop: Floats, way: Way) -> np.ndarray:
-    """Where lines run from an outline to its image: its corners, and its ends across the way."""
-    if way.is_pointed and way.centre is not None:
-        # the tangents from the point
-        seen = np.unwrap(np.arctan2(*(loop - way.centre).T[::-1]))
-        return np.unique([int(seen.argmin()), int(seen.argmax())])
-    bends = cv2.approxPolyDP(loop.astype(np.float32)[:, None], 0.012 * float(np.hypot(*np.ptp(loop, axis=0))), True)[
-        :, 0
-    ]
-    before, after = bends - np.roll(bends, 1, axis=0), np.roll(bends, -1, axis=0) - bends
-    turn = np.abs(np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1)))
-    sharp = bends[turn > 0.5]
-    found = [int(np.hypot(*(loop - b).T).argmin()) for b in sharp]
-    to = way.of(loop)
-    middle = loop.mean(axis=0)
-    side = ((loop - middle)[:, 0] * to[:, 1] - (loop - middle)[:, 1] * to[:, 0]) / (np.hypot(*to.T) + 1e-9)
-    return np.unique([*found, int(side.argmax()), int(side.argmin())])
 
 
 def shifts(skeleton: Skeleton, along: Floats, size: float, most: int = 6) -> Floats:

@@ -7,7 +7,7 @@ from sketches import ink_of
 
 from sketch2shape.search.sweep_pairs import evenly
 from sketch2shape.strokes import thin, trace_skeleton
-from sketch2shape.sweeps import Cells, Way, centres, directions, distinct_directions, settled, shifts, ways_of
+from sketch2shape.sweeps import Cells, Loop, centres, directions, distinct_directions, settled, shifts, ways_along
 
 
 def seen(sweep, lines):
@@ -19,21 +19,13 @@ def seen(sweep, lines):
 @pytest.mark.parametrize("sweep", [CYLINDER, ARCH], ids=["cylinder", "arch"])
 def test_the_shift_is_among_the_ways_and_explains_the_ink(sweep):
     skeleton, size, strokes = seen(sweep, "removed")
-    line = evenly(sweep.rings[0].line)
-    along = distinct_directions(directions(strokes, size))
-    ways = ways_of(line, skeleton, along, np.zeros((0, 2)), size)
+    loop = Loop(evenly(sweep.rings[0].line))
+    ways = ways_along(loop, skeleton, distinct_directions(directions(strokes, size)), size)
     cells = Cells.of(skeleton, size, np.ones(skeleton.mask.shape, bool))
-    best = max(ways, key=lambda way: cells.value(line, way))
-    assert cells.value(line, best) > 0.9
-    best = settled(best, line, skeleton, size)
+    best = max(ways, key=lambda way: cells.value(loop, way))
+    assert cells.value(loop, best) > 0.9
+    best = settled(best, loop, skeleton, size)
     assert np.hypot(*(best.shift - sweep.way.shift)) < 4
-
-
-def test_a_way_to_nothing_explains_less():
-    skeleton, size, _ = seen(CYLINDER, "removed")
-    cells = Cells.of(skeleton, size, np.ones(skeleton.mask.shape, bool))
-    line = evenly(CYLINDER.rings[0].line)
-    assert cells.value(line, Way(np.array([120.0, 60]))) < 0.5 * cells.value(line, CYLINDER.way)
 
 
 def test_the_sides_of_a_cone_meet_in_its_point():
