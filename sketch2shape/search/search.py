@@ -45,6 +45,8 @@ LEFT_OVER = 0.4
 """Fraction of the price of all ink that a settled answer may leave unexplained."""
 STALE = 2
 """Attempts without anything new after which a sound answer holds."""
+LEAST_MAP, PLAIN = 2, 1.5
+"""Numbers of the plainest plane map, a translation, and more by which a hypothesis may cost and be the plainest."""
 TIE = 3.0
 """Nats that are no reason to prefer a later hypothesis."""
 COMPARABLE = 0.1
@@ -148,7 +150,7 @@ def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found
     for attempt in tries:
         if best is None and _is_scribble(attempt):
             break
-        found += [_compared(f, view) for f in _refined_of(attempt) if not any(_is_same(f, g) for g in found)]
+        found += _refined_of(attempt, view, found)
         before, best = best, _best(found)
         stale = 0 if best is not before and not _is_same(before, best) else stale + attempt.is_whole
         if best is not None and (_leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
@@ -219,25 +221,43 @@ def _is_scribble(attempt: Attempt) -> bool:
     return attempt.number > 0 or not is_wireframe(attempt.traced.corners)
 
 
-def _refined_of(attempt: Attempt) -> list[Found]:
-    """The hypotheses of a round that could win, moved to the ink."""
+def _refined_of(attempt: Attempt, view: View, known: list[Found]) -> list[Found]:
+    """The hypotheses of a round that could win, moved to the ink and held against it, but for those known already.
+
+    Once one leaves nothing to be explained and its faces are plainly related, only fewer vertices could cost less.
+    """
     traced, sheet = attempt.traced, attempt.sheet
-    found: list[Found] = []
+    fresh: list[Found] = []
     tried: list[Rings] = []
-    vertices = 0
+    vertices, top, enough = 0, 0.0, np.inf
     for rings, evidence in attempt.shortlist:
-        top = max([f.evidence.score for f in found], default=0.0)
-        if found and (evidence.score < top - HOPELESS or vertices > MOST_REFINED):
+        if tried and (evidence.score < top - HOPELESS or vertices > MOST_REFINED):
             break
-        if any(_alike(rings, other, sheet.reach) for other in tried):
+        if sum(rings.sizes) >= enough or any(_alike(rings, other, sheet.reach) for other in tried):
             continue
         tried.append(rings)
         vertices += sum(rings.sizes)
         rings, evidence = _at_dashes(rings, evidence, sheet, traced)
-        found.append(_refined(traced, rings, evidence, sheet))
-        if _is_exact(found[-1]):
+        found = _refined(traced, rings, evidence, sheet)
+        top = max(top, found.evidence.score)
+        if not any(_is_same(found, other) for other in known):
+            found = _compared(found, view)
+            fresh.append(found)
+            if _is_plainest(found):
+                enough = sum(found.rings.sizes)
+        if _is_exact(found):
             break
-    return found
+    return fresh
+
+
+def _is_plainest(found: Found) -> bool:
+    """Whether all of the hypothesis is drawn, it leaves nothing, and its shape costs hardly more than its vertices."""
+    if found.compared is None or not found.evidence.drawn.all():
+        return False
+    priced = replace(found, energy=found.compared.energy(found.noise))
+    energy = priced.energy
+    bare = sum(found.rings.sizes) * energy.vertex + LEAST_MAP * energy.digit
+    return _leaves_nothing(priced) and energy.shape - bare < PLAIN * energy.digit
 
 
 def _is_exact(found: Found) -> bool:
