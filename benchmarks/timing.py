@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -58,11 +60,17 @@ def command(*words: str, codes: Sequence[int] = (0,)) -> Call:
     """A call that runs a command and raises unless it ends with one of the exit codes; a failure is no figure."""
 
     def call() -> None:
-        done = subprocess.run(words, capture_output=True, text=True, check=False)
+        done = subprocess.run(words, capture_output=True, text=True, check=False, env=_as_installed())
         if done.returncode not in codes:
             raise RuntimeError(f"{words} ended with {done.returncode}: {done.stderr[-500:]}")
 
     return call
+
+
+def _as_installed() -> dict[str, str]:
+    """The environment of a command that finds its modules compiled, as those of installed packages are."""
+    own = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    return {"PYTHONPYCACHEPREFIX": os.path.join(tempfile.gettempdir(), "sketch2shape-benchmarks"), **own}
 
 
 def python(code: str) -> Call:

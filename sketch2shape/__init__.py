@@ -7,9 +7,10 @@
 Names load on first use, so that importing the package stays cheap.
 """
 
-from typing import TYPE_CHECKING
-
 __version__ = "0.1.0"
+
+TYPE_CHECKING = False
+"""What type checkers take for true; `typing` itself takes longer to load than all else that `--help` needs."""
 
 if TYPE_CHECKING:
     from sketch2shape.batch import reconstruct_many as reconstruct_many

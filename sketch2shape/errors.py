@@ -5,7 +5,9 @@ A failure is shown as one line, ``FILE: what happened. Try: remedy``.
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, ClassVar
 
 
 class Sketch2ShapeError(Exception):

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
+import os
 import re
 import sys
 import warnings
 from collections.abc import Sequence
-from typing import NoReturn
 
 from sketch2shape import __version__
 from sketch2shape.command.completion import PrintCompletion
 from sketch2shape.errors import Sketch2ShapeError, one_line
 from sketch2shape.processes.threads import compute_in_one_thread
 from sketch2shape.writing import occupy_descriptors, tell
-from sketch2shape.writing.formats import FORMATS, Group, named
+from sketch2shape.writing.formats import FORMATS, named
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import NoReturn
+
+    from sketch2shape.writing.formats import Group
 
 _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight solid.
 
@@ -27,6 +34,9 @@ _DESCRIPTION = """From a drawing of a prism-like object to an exact, watertight 
 _EPILOG = """exit codes: 0 all done, 1 bug, 2 usage, 3 some inputs failed, 4 input unreadable or not an image,
 5 no two-face object found, 6 limit exceeded, 7 cannot write, 8 optional package missing, 130 interrupted"""
 
+USUAL_COLUMNS = 80
+"""Width of the help where there is no terminal."""
+
 _UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}
 
 
@@ -38,6 +48,23 @@ _UNIT_NAMES = {
     **dict.fromkeys(("metre", "metres", "meter", "meters"), "m"),
     **dict.fromkeys(("pixel", "pixels"), "px"),
 }
+
+
+class _Help(argparse.RawDescriptionHelpFormatter):
+    """Asks the terminal for its width by itself: `shutil`, which argparse asks, loads every compression there is."""
+
+    def __init__(self, prog: str) -> None:
+        super().__init__(prog, width=_columns() - 2)
+
+
+def _columns() -> int:
+    """Width of the terminal, as `shutil.get_terminal_size` tells it."""
+    with contextlib.suppress(KeyError, ValueError):
+        if (told := int(os.environ["COLUMNS"])) > 0:
+            return told
+    with contextlib.suppress(AttributeError, ValueError, OSError):
+        return os.get_terminal_size(sys.__stdout__.fileno()).columns or USUAL_COLUMNS  # type: ignore[union-attr]
+    return USUAL_COLUMNS
 
 
 class _Parser(argparse.ArgumentParser):
@@ -65,7 +92,7 @@ def build_parser() -> argparse.ArgumentParser:
         prog="sketch2shape",
         description=_DESCRIPTION,
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
         allow_abbrev=False,
     )
     parser.add_argument("inputs", metavar="INPUT", nargs="+", help="image, folder, or - for standard input")

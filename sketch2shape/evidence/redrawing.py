@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from sketch2shape.evidence.energy import MISSING, Comparison
 from sketch2shape.evidence.view import View
@@ -50,6 +49,8 @@ def _nearest(points: Floats, drawn: Redrawn, some: Bools) -> tuple[Floats, Ints]
     at = np.flatnonzero(some)
     if not len(at):
         return np.full(len(points), np.inf), np.zeros(len(points), np.intp)
+    from scipy.spatial import cKDTree  # the command starts without it
+
     far, which = cKDTree(drawn.points[at]).query(points)
     own = at[which]
     to, along = points - drawn.points[own], drawn.along[own]

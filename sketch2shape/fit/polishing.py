@@ -8,12 +8,14 @@ all circles keep one shape.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial import cKDTree
-
 from sketch2shape.model import Floats
 from sketch2shape.sweeps import Circle, Frame, Outline, Sweep, Way
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 ROUNDS = 3
 """Times that the nearest ink is looked for again."""

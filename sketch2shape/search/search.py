@@ -254,10 +254,9 @@ def _is_plainest(found: Found) -> bool:
     """Whether all of the hypothesis is drawn, it leaves nothing, and its shape costs hardly more than its vertices."""
     if found.compared is None or not found.evidence.drawn.all():
         return False
-    priced = replace(found, energy=found.compared.energy(found.noise))
-    energy = priced.energy
+    energy = found.compared.energy(found.noise)
     bare = sum(found.rings.sizes) * energy.vertex + LEAST_MAP * energy.digit
-    return _leaves_nothing(priced) and energy.shape - bare < PLAIN * energy.digit
+    return energy.shape - bare < PLAIN * energy.digit and _leaves_nothing(replace(found, energy=energy))
 
 
 def _is_exact(found: Found) -> bool:

@@ -6,14 +6,16 @@ stands in `export/encode.py` and `pipeline/products.py`; tests see to it that ev
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal, TypeAlias
 
-Group = Literal["solid", "program", "plan", "drawing", "report", "picture"]
-"""What a file holds: the solid itself, a program that makes it, a plan of it on paper, the drawing or the true face as
-lines, the report, a picture of the result."""
+    Group: TypeAlias = Literal["solid", "program", "plan", "drawing", "report", "picture"]
+    """What a file holds: the solid itself, a program that makes it, a plan of it on paper, the drawing or the true face
+    as lines, the report, a picture of the result."""
 
 
-class Format(NamedTuple):
+class Format:
     """A kind of file.
 
     what    : what it is, in words
@@ -22,10 +24,11 @@ class Format(NamedTuple):
     endings : of file names that mean it, without the first dot; the one that is written comes first
     """
 
-    what: str
-    group: Group
-    media: str
-    endings: tuple[str, ...]
+    __slots__ = ("endings", "group", "media", "what")
+
+    def __init__(self, what: str, group: Group, media: str, endings: tuple[str, ...]) -> None:
+        """Of these four."""
+        self.what, self.group, self.media, self.endings = what, group, media, endings
 
 
 _SVG, _DXF, _PDF, _PNG = "image/svg+xml", "image/vnd.dxf", "application/pdf", "image/png"

@@ -8,9 +8,12 @@ import re
 import stat
 import sys
 from collections.abc import Iterator
-from typing import BinaryIO
 
 from sketch2shape.errors import WriteError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import BinaryIO
 
 #: names of open descriptors: what is behind them, even a file, is written on from where it stands
 _DESCRIPTOR = re.compile(r"/dev/(?:fd/(?P<number>\d+)|(?P<name>stdin|stdout|stderr))|/proc/self/fd/(?P<process>\d+)")
