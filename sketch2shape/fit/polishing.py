@@ -11,6 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+
 from sketch2shape.model import Floats
 from sketch2shape.sweeps import Circle, Frame, Outline, Sweep, Way
 

@@ -1,7 +1,9 @@
 """From the ink to the best verified hypothesis, drawing by drawing."""
 
+from importlib import import_module
 from types import SimpleNamespace
 
+import cv2
 import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
@@ -10,6 +12,7 @@ from sketch2shape.geometry.homology import apply
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
 from sketch2shape.search.search import DENSE, _searched
 
+search = import_module("sketch2shape.search.search")
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
 TWO_POINT = apply(np.eye(3) + np.outer([900.0, -200, 1], [-2e-4, 2e-4, 0.12]), SQUARE)
 PLUS = np.array(
@@ -126,9 +129,43 @@ def test_what_is_no_object_gets_no_confidence(picture):
 
 @pytest.mark.parametrize(("strokes", "score", "looks"), [(DENSE + 1, 0.0, 1), (DENSE, 0.0, 3), (DENSE + 1, 0.5, 3)])
 def test_a_scribble_is_not_looked_at_again(monkeypatch, strokes, score, looks):
-    monkeypatch.setattr("sketch2shape.search.search._refined_of", lambda _: [])
+    monkeypatch.setattr("sketch2shape.search.search._refined_of", lambda *_: [])
     traced = SimpleNamespace(strokes=SimpleNamespace(ends=np.zeros((strokes, 2, 2))))
     tries = [SimpleNamespace(number=n, score=score, traced=traced, is_whole=True) for n in (1, 2, 3)]
     taken = []
     assert _searched((taken.append(t) or t for t in tries), None, None) is None
     assert len(taken) == looks
+
+
+def _counted(monkeypatch, name):
+    """The arguments of each call of a function of the search, from now on."""
+    calls, function = [], getattr(search, name)
+
+    def counting(*args):
+        calls.append(args)
+        return function(*args)
+
+    monkeypatch.setattr(search, name, counting)
+    return calls
+
+
+def test_of_a_plain_wireframe_one_hypothesis_is_moved_to_the_ink(monkeypatch):
+    refined = _counted(monkeypatch, "_refined")
+    assert same_object(found_in(prism(HEXAGON, HEXAGON + [110, -20]))[0], HEXAGON, HEXAGON + [110, -20])
+    assert len(refined) == 1
+
+
+@pytest.mark.parametrize(("strokes", "looks"), [(0, 0), (3, 1)])
+def test_only_an_answer_that_leaves_ink_and_is_not_trusted_gets_a_second_look(monkeypatch, strokes, looks):
+    monkeypatch.setattr(search, "TRUSTED", 1.0)
+    again = _counted(monkeypatch, "second_attempts")
+    picture = prism(SQUARE, SQUARE + DEPTH)
+    x, y = SQUARE.mean(axis=0).astype(int).tolist()
+    for k in range(strokes):
+        cv2.line(picture, (x - 40, y - 20 + 20 * k), (x + 40, y - 10 + 15 * k), 0, 2)
+    assert found_in(picture)
+    assert len(again) == looks
+    monkeypatch.setattr(search, "TRUSTED", 0.0)
+    again.clear()
+    assert found_in(picture)
+    assert not again
