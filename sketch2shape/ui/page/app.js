@@ -12,12 +12,11 @@ import * as shape from "./shape.js";
 import { given, lengthOf, shown } from "./sizes.js";
 import { Stage, colours } from "./stage.js";
 import { Take, offer } from "./take.js";
+import { mayShow } from "./tidy.js";
 import { fill, say } from "./words.js";
 
 const $ = id => document.getElementById(id);
 const NAMES = ["width", "height", "depth"];
-/* strokes below this many can show no solid */
-const FEWEST = 5;
 /* ms: a wait worth a sign, a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
 const SOON = 300, LONG = 1200, PAUSE = 350;
 /* ms without a new stroke after which a drawing with loose ends is searched as a whole */
@@ -157,7 +156,7 @@ async function live(since) {
   try {
     for (let strokes = null; strokes !== state.strokes && drawing();) {
       ({ strokes } = state);
-      if (strokes.length < FEWEST) nothingYet(strokes);
+      if (!mayShow(strokes)) nothingYet(strokes);
       else await look(strokes);
     }
   } catch (error) {

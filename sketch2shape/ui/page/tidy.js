@@ -31,10 +31,15 @@ const ROUND = 0.08;
 const EQUAL = 0.12;
 /* lines nearly level or upright are made so within this part of the angle for parallels */
 const AXIS = 0.6;
+/* fewest strokes that can show a solid: of a wedge or a tetrahedron the edges in view; of a cone its base and two sides */
+const FEWEST = 5, FEWEST_ROUND = 3;
 
 export const isStraight = stroke => stroke.points.length === 2;
 
 export const endsOf = stroke => [stroke.points[0], stroke.points[stroke.points.length - 1]];
+
+/* can there be a solid in so few strokes? */
+export const mayShow = strokes => strokes.length >= (strokes.every(isStraight) ? FEWEST : FEWEST_ROUND);
 
 const isClosed = stroke => stroke.points.length > 2 && gap(...endsOf(stroke)) < 1e-6;
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { ellipseOf, gap, kept, resampled } from "./geometry.js";
-import { REACH, aligned, dragged, gridNode, locked, looseEnds, meant, settled, snapped, stamped, tidied, undrawn } from "./tidy.js";
+import { REACH, aligned, dragged, gridNode, locked, looseEnds, mayShow, meant, settled, snapped, stamped, tidied, undrawn } from "./tidy.js";
 
 /* a small generator of numbers, the same each time */
 function numbers(seed) {
@@ -138,4 +138,10 @@ test("strokes keep the time and the pressure of the pen", () => {
   assert.deepEqual(stamped([{ points: [[0, 0], [100, 0]], dashed: true }], drawn), [{ points: [[0, 0, 0, 0.6], [100, 0, 300, 0.6]], dashed: true }]);
   const two = stamped([{ points: [[0, 0], [50, 0]] }, { points: [[50, 0], [50, 50]] }], drawn.map(p => p.slice(0, 3)));
   assert.deepEqual(two.map(s => s.points.map(p => p[2])), [[0, 150], [150, 300]]);
+});
+
+test("a cylinder or a cone needs fewer strokes than a box", () => {
+  const line = { points: [[0, 0], [10, 0]] }, round = { points: [[0, 0], [5, 5], [10, 0]] };
+  assert.ok(!mayShow([]) && !mayShow(Array(4).fill(line)) && mayShow(Array(5).fill(line)));
+  assert.ok(!mayShow([round, line]) && mayShow([round, line, line]));
 });
