@@ -19,12 +19,14 @@ from sketch2shape.geometry import homology
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.hypotheses.regions import Region, reductions, sharpened
 from sketch2shape.hypotheses.wireframe import CornerGraph
-from sketch2shape.model import Floats, Ints
+from sketch2shape.model import Bools, Floats, Ints
 
 OF_A_UNION = 4
 """Maps that are tried for a union of regions."""
 PULL = 2.5
 """How far off its place, over the tolerance of the corners, the end of a rung may pull the back face's vertex."""
+MOVED = 1.0
+"""Pixels by which a back face has to move to be another hypothesis."""
 
 
 def snap(outline: Floats, graph: CornerGraph, reach: float) -> tuple[Ints, Floats]:
@@ -154,42 +156,62 @@ def _swept(ring: Floats, islands: tuple[Floats, ...], rungs: Rungs, graph: Corne
     off = np.hypot(missed[..., 0], missed[..., 1])
     pulls = off < PULL * graph.tolerance
     finite = np.asarray(np.isfinite(backs).all(axis=(1, 2)))
-    moves = np.asarray((pulls & (off >= 1.0)).any(axis=1))
+    moves = np.flatnonzero(finite & (pulls & (off >= MOVED)).any(axis=1))
+    pulled = dict(zip(moves.tolist(), _pulled(ring, backs[moves], rungs, off[moves], graph), strict=True))
     for k in np.flatnonzero(finite).tolist():
         yield Rings((ring,), (backs[k],))
         if islands:
             yield Rings((ring, *islands), (backs[k], *(homology.apply(maps[k], p) for p in islands)))
-        if moves[k]:
-            near = np.flatnonzero(pulls[k])
-            # of the rungs at one vertex the closest comes last and stays
-            near = near[np.argsort(-off[k, near], kind="stable")]
-            pulled = _pulled(ring, backs[k], Rungs(rungs.vertex[near], rungs.end[near]), graph)
-            if pulled is not None:
-                yield Rings((ring,), (pulled,))
+        other = pulled.get(k)
+        if other is not None:
+            yield Rings((ring,), (other,))
 
 
-def _pulled(ring: Floats, back: Floats, rungs: Rungs, graph: CornerGraph) -> Floats | None:
-    """The back face with its vertices at the ends of the drawn rungs: a hand rarely draws two faces quite alike.
+def _pulled(ring: Floats, backs: Floats, rungs: Rungs, off: Floats, graph: CornerGraph) -> list[Floats | None]:
+    """Back faces (k, n, 2) with vertices at the ends of drawn rungs: a hand rarely draws two faces quite alike.
 
-    Back vertices without a rung follow from the map through those that have one. None if nothing moves.
+    off : (k, r) float, pixels by which each face misses the end of each rung
+
+    Back vertices without a rung follow from the map through those that have one. None for faces of which nothing moves.
     """
-    pulled, seen = back.copy(), np.zeros(len(ring), bool)
-    pulled[rungs.vertex] = rungs.end
-    seen[rungs.vertex] = True
-    way = pulled - back
-    if np.hypot(way[:, 0], way[:, 1]).max() < 1.0:
-        return None
-    rest = ~seen
-    if rest.any():
-        src, dst = ring[seen], pulled[seen]
-        fit = homology.similarity(src, dst) if len(src) > 1 else homology.translation((dst - src)[0])
-        pulled[rest] = homology.apply(fit, ring[rest])
-        if len(graph.points):
-            gap = pulled[rest, None] - graph.points
-            near = np.hypot(gap[..., 0], gap[..., 1])
-            close = near.min(axis=1) < graph.tolerance
-            pulled[np.flatnonzero(rest)[close]] = graph.points[near.argmin(axis=1)[close]]
-    return pulled
+    if not len(backs):
+        return []
+    # of the rungs at one vertex the closest comes last and stays
+    order = np.argsort(-off, axis=1, kind="stable")
+    near = np.take_along_axis(off, order, axis=1) < PULL * graph.tolerance
+    face, rung = np.nonzero(near)[0], order[near]
+    pulled, seen = backs.copy(), np.zeros(backs.shape[:2], bool)
+    pulled[face, rungs.vertex[rung]] = rungs.end[rung]
+    seen[face, rungs.vertex[rung]] = True
+    way = pulled - backs
+    moved = np.hypot(way[..., 0], way[..., 1]).max(axis=1) >= MOVED
+    some = np.flatnonzero(moved & ~seen.all(axis=1))
+    if len(some):
+        pulled[some] = _with_rest(ring, pulled[some], seen[some], graph)
+    return [face if any_moved else None for face, any_moved in zip(pulled, moved.tolist(), strict=True)]
+
+
+def _with_rest(ring: Floats, pulled: Floats, seen: Bools, graph: CornerGraph) -> Floats:
+    """Back faces (k, n, 2) with the vertices that are not seen where the plainest map through the seen ones has them.
+
+    Such a vertex lies on a corner if there is one close by.
+    """
+    count = seen.sum(axis=1)[:, None]
+    p, q = seen @ ring / count, (pulled * seen[..., None]).sum(axis=1) / count
+    a, b = (ring - p[:, None]) * seen[..., None], (pulled - q[:, None]) * seen[..., None]
+    scale = np.maximum((a * b).sum(axis=(1, 2)) / ((a * a).sum(axis=(1, 2)) + 1e-12), 1e-3)[:, None]
+    scale[count == 1] = 1.0
+    image = scale[..., None] * ring + (q - scale * p)[:, None]
+    face, vertex = np.nonzero(~seen)
+    rest = image[face, vertex]
+    if len(graph.points):
+        gap = rest[:, None] - graph.points
+        near = np.hypot(gap[..., 0], gap[..., 1])
+        close = near.min(axis=1) < graph.tolerance
+        rest[close] = graph.points[near.argmin(axis=1)[close]]
+    whole = pulled.copy()
+    whole[face, vertex] = rest
+    return whole
 
 
 def _maps(ring: Floats, rungs: Rungs, graph: CornerGraph, most: int) -> Floats:

@@ -6,7 +6,7 @@ and many cost little each.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import chain, islice
 
 import numpy as np
@@ -35,6 +35,9 @@ VAIN, HOPE = 88, 0.4
 LEAST = 0.5
 """Hypotheses that cannot reach this score are not judged: refinement would not save them."""
 
+ALIKE = 1e-3
+"""Difference of scores up to which hypotheses explain a drawing alike: of those the one thought of first is kept."""
+
 Judged = tuple[Rings, Evidence]
 
 
@@ -46,7 +49,13 @@ def shortlist(hypotheses: Iterable[Rings], sheet: Sheet, known: list[Judged], en
     fresh: list[Judged] = []
     perfect = 0
     first = FIRST_KNOWN if sheet.skeleton.is_known else FIRST * enough
-    for looked_at, batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, first):
+
+    def least() -> float:
+        """Score below which no hypothesis would be kept."""
+        every = sorted((evidence.score for _, evidence in (*known, *fresh)), reverse=True)
+        return max(LEAST, every[SHORTLIST - 1] - ALIKE) if len(every) >= SHORTLIST else LEAST
+
+    for looked_at, batch in _batches(islice(hypotheses, MOST_HYPOTHESES), sheet, first, least):
         fresh += batch
         best = [rings for rings, evidence in batch if evidence.score > PERFECT]
         perfect += len(best)
@@ -69,10 +78,13 @@ def verified(hypotheses: Iterable[Rings], sheet: Sheet) -> Iterator[Judged]:
     return chain.from_iterable(batch for _, batch in _batches(hypotheses, sheet, LARGEST_BATCH))
 
 
-def _batches(hypotheses: Iterable[Rings], sheet: Sheet, first: int) -> Iterator[tuple[int, list[Judged]]]:
+def _batches(
+    hypotheses: Iterable[Rings], sheet: Sheet, first: int, least: Callable[[], float] = lambda: LEAST
+) -> Iterator[tuple[int, list[Judged]]]:
     """How many hypotheses have been looked at, and those of the last batch that could be an object, judged.
 
     first : size of the first batch; each is twice as large as the one before
+    least : those that cannot reach this score are not judged
     """
     source, seen = iter(hypotheses), set[bytes]()
     size, looked_at = min(first, LARGEST_BATCH), 0
@@ -86,10 +98,10 @@ def _batches(hypotheses: Iterable[Rings], sheet: Sheet, first: int) -> Iterator[
             if key not in seen and np.isfinite(vertices).all():
                 seen.add(key)
                 fresh.append(rings)
-        yield looked_at, _judged(fresh, sheet)
+        yield looked_at, _judged(fresh, sheet, least())
 
 
-def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
+def _judged(batch: list[Rings], sheet: Sheet, least: float) -> list[Judged]:
     found: dict[int, Evidence] = {}
     for sizes in {r.sizes for r in batch}:
         index = [k for k, r in enumerate(batch) if r.sizes == sizes]
@@ -98,7 +110,7 @@ def _judged(batch: list[Rings], sheet: Sheet) -> list[Judged]:
         deep = np.hypot(apart[..., 0], apart[..., 1]).max(axis=1) >= SHALLOWEST * sheet.reach
         ok = np.flatnonzero(which_plausible(alike, 1.5 * sheet.pen) & deep)
         if len(ok):
-            ok = ok[most_possible(alike.some(ok), sheet) >= LEAST]
+            ok = ok[most_possible(alike.some(ok), sheet) >= least]
         if len(ok):
             found.update(zip([index[k] for k in ok], judge_stack(alike.some(ok), sheet), strict=True))
     return [(batch[k], found[k]) for k in sorted(found)]
