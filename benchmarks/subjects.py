@@ -16,7 +16,8 @@ from synthetic.negatives import NEGATIVES
 from synthetic.pens import Pen
 
 ROOT = Path(__file__).resolve().parent.parent
-BENCH = ROOT.parent / "shared" / "bench" / "drawings"
+BENCH = ROOT.parent / "shared" / "bench"
+"""Drawings with truth that may lie beside the repository."""
 SMALL = ("clean_wire_oblique", "clean_wire_axono", "clean_dashed_oblique", "clean_removed_axono", "clean_wire_persp")
 THIN = np.array([0.036, -0.056])
 """Depth of a thin plate, as a part of the sheet's shorter side."""
@@ -24,10 +25,20 @@ THIN = np.array([0.036, -0.056])
 
 def small_drawings(scratch: Path, most: int) -> list[Path]:
     """Drawings of 640 x 480: the independent ones beside the repository if there, else fresh ones."""
-    found = [p for p in sorted(BENCH.glob("*/*.png")) if _size(p) == (640, 480) and p.parent.name != "negative"]
+    found = [
+        p
+        for p in sorted((BENCH / "drawings").glob("*/*.png"))
+        if _size(p) == (640, 480) and p.parent.name != "negative"
+    ]
     if not found:
         names = [*SMALL, "hand_wire", "hand_dashed", "hand_removed", "taper_wire", "thin_wire"]
         found = [draw(name, 31, i).save(scratch / "small") for name in names for i in range(6)]
+    return found[:: max(len(found) // most, 1)][:most]
+
+
+def of_set(name: str, most: int) -> list[Path]:
+    """Pictures of another set beside the repository, from all its kinds; none where it is not there."""
+    found = [p for p in sorted((BENCH / name).glob("*/*")) if p.suffix in (".png", ".jpg")]
     return found[:: max(len(found) // most, 1)][:most]
 
 
@@ -92,6 +103,23 @@ def of_pixels(folder: Path, megapixels: Sequence[float]) -> dict[float, Path]:
         w = round(np.sqrt(mp * 1e6 * 4 / 3))
         out[mp] = folder / f"pixels_{mp:g}.png"
         cv2.imwrite(str(out[mp]), wire(house, np.array([0.21, -0.13]), (w, round(w * 3 / 4)), w / 320))
+    return out
+
+
+def of_objects(folder: Path, counts: Sequence[int]) -> dict[int, Path]:
+    """The same house again and again on one sheet, which grows with their number."""
+    folder.mkdir(parents=True, exist_ok=True)
+    house = np.array([[-0.3, 0.3], [0.2, 0.3], [0.2, -0.05], [-0.05, -0.3], [-0.3, -0.05]])
+    one = wire(house, np.array([0.21, -0.13]), (320, 240), 2)
+    out = {}
+    for n in counts:
+        across = int(np.ceil(np.sqrt(n)))
+        sheet = np.full((-(-n // across) * 240, across * 320), 255, np.uint8)
+        for k in range(n):
+            row, column = divmod(k, across)
+            sheet[row * 240 : (row + 1) * 240, column * 320 : (column + 1) * 320] = one
+        out[n] = folder / f"objects_{n}.png"
+        cv2.imwrite(str(out[n]), sheet)
     return out
 
 

@@ -9,6 +9,7 @@ wins; a vertex stays if it costs less than the ink it explains.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -107,6 +108,10 @@ class Comparison:
     front: float
     laid: int = 0
 
+    @cached_property
+    def _told(self) -> dict[float, Energy]:
+        return {}
+
     @property
     def shown(self) -> Floats:
         """(3m,) fraction of each edge that is seen."""
@@ -118,6 +123,12 @@ class Comparison:
         return min((self._under(n) for n in noises[noises <= max(noises[0], STEADY * hand)]), key=lambda e: e.total)
 
     def _under(self, noise: float) -> Energy:
+        """What is told once of each noise: hypotheses are priced again whenever another one is found."""
+        if noise not in self._told:
+            self._told[noise] = self._priced(noise)
+        return self._told[noise]
+
+    def _priced(self, noise: float) -> Energy:
         near = self.off <= WITHIN * noise + BLUR
         missing, bare = float(self.wanted[~near].sum()), float(self.hidden[~near].sum())
         digit = float(np.log(max(self.view.size / noise, 2.0)))

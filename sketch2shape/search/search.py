@@ -32,7 +32,7 @@ from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group
 from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
-from sketch2shape.search.tolerances import Traced, is_wireframe
+from sketch2shape.search.tolerances import LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
 from sketch2shape.strokes import Skeleton, bridged, thin
 
 HOPELESS = 0.1
@@ -57,6 +57,9 @@ EXACT = 0.05
 """Noise of lines, pixels, that no pen on paper and no pixels have: of lines that come as vectors."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
+TANGLED = 0.16
+"""Part of the stroke ends that meet in threes below which so many strokes are a scribble: an eighth in one, a quarter
+and more in drawings with as many."""
 MOST_PATHS = 2500
 """Branches of the skeleton beyond which the ink is a texture or a page of text, not a drawing."""
 
@@ -113,14 +116,25 @@ class Observed:
 def observed(group: Group) -> Observed | None:
     """A group of ink made ready for the search; None if it is no drawing of an object."""
     skeleton = thin(group.ink)
-    if len(skeleton.points) < 30 or len(skeleton.paths) > MOST_PATHS:
+    if len(skeleton.points) < 30 or _is_no_drawing(group, skeleton):
         return None
     drawn = group
-    whole = bridged(skeleton, group.solid, max(1.5, 0.08 * skeleton.pen_width))
+    whole = bridged(skeleton, group.solid, max(LEAST_TRACE, PEN_TRACE * skeleton.pen_width))
     if whole is not None:
         group = replace(group, ink=replace(group.ink, mask=group.ink.mask | whole), solid=group.solid | whole)
         skeleton = thin(group.ink)
     return Observed(drawn, group, skeleton, observe(group, skeleton))
+
+
+def _is_no_drawing(group: Group, skeleton: Skeleton) -> bool:
+    """Whether the ink is a texture, a page of text, or a scribble whose many strokes end wherever they please."""
+    if len(skeleton.paths) > MOST_PATHS:
+        return True
+    if len(skeleton.paths) <= DENSE:
+        return False
+    traced = Traced(group, skeleton, max(LEAST_TRACE, PEN_TRACE * skeleton.pen_width))
+    strokes = len(traced.strokes.ends)
+    return not strokes or (strokes > DENSE and in_threes(traced.corners) < TANGLED)
 
 
 def find(seen: Observed) -> Found | None:

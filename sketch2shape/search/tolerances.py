@@ -18,6 +18,8 @@ from sketch2shape.ink import Group
 from sketch2shape.model import Floats
 from sketch2shape.strokes import Corners, Skeleton, Strokes, are_covered, crossings, join_ends, trace_skeleton
 
+LEAST_TRACE, PEN_TRACE = 1.5, 0.08
+"""How far a ruled stroke may stray from its line, pixels at least, and in pens."""
 MOST_CORNERS = 120
 """Corners of a drawing that are looked at, the surest first."""
 MOST_OF_A_WIREFRAME = 420
@@ -62,9 +64,9 @@ def rounds_for(size: float, pen: float) -> list[Round]:
     A thick pen rounds corners and bends the skeleton near them in proportion to its width.
     """
     return [
-        Round(max(1.5, 0.08 * pen), max(2.0, 0.15 * pen)),
-        Round(max(1.5, 0.08 * pen), max(3.0, 0.2 * pen), crossings=True),
-        Round(max(1.5, 0.08 * pen), max(4.0, 0.011 * size, 0.3 * pen)),
+        Round(max(LEAST_TRACE, PEN_TRACE * pen), max(2.0, 0.15 * pen)),
+        Round(max(LEAST_TRACE, PEN_TRACE * pen), max(3.0, 0.2 * pen), crossings=True),
+        Round(max(LEAST_TRACE, PEN_TRACE * pen), max(4.0, 0.011 * size, 0.3 * pen)),
         Round(max(2.5, 0.006 * size, 0.15 * pen), max(4.0, 0.014 * size, 0.4 * pen), True),
         Round(max(4.0, 0.012 * size, 0.25 * pen), max(6.0, 0.02 * size, 0.5 * pen), True),
         Round(max(6.0, 0.02 * size, 0.3 * pen), max(9.0, 0.033 * size, 0.6 * pen), True, last_resort=True),
