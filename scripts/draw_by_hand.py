@@ -2,7 +2,11 @@
 
 Solids are drawn in Chromium, with the mouse on a laptop's screen and with a finger on a phone's, every stroke's ends
 missed by a normal error (4 and 3 CSS pixels for each coordinate) and its way wavering by a third of that. Right is an
-answer with the right number of vertices, each within 8 % of the drawing's diagonal of its true place, that is no guess.
+answer with the right number of vertices, each within 8 % of the drawing's diagonal of its true place, that is no guess;
+of the cylinder, whose outline has to be as wide and high to within as much, its name.
+
+What the search of every one of these sketches computes is measured again without a browser, and of a whole prism with
+ten sides, which has 30 strokes.
 """
 
 from __future__ import annotations
@@ -24,8 +28,12 @@ from selenium.webdriver import Chrome  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from server import start_app  # noqa: E402
 
+from sketch2shape.ui.jobs import reconstruct_sketch, warm_up  # noqa: E402
+
 NEAR = 0.08
 """Farthest that a vertex may be from its true place, as a fraction of the drawing's diagonal."""
+LEAST_STROKES = 4
+"""Sketches of no more strokes are left out where computing is measured: the page asks for few of them."""
 STEPS = 14
 """Places along a stroke that the pointer is told."""
 
@@ -58,13 +66,13 @@ CYLINDER = (0.45, 0.75, 0.3, 0.11, 0.5)
 
 
 def strokes_of(name: str, side: float) -> tuple[list[list[tuple[float, float]]], list[tuple[float, float]]]:
-    """The strokes as paths of places on the sheet, and the true vertices (of a cylinder the ends of its outlines)."""
+    """The strokes as paths of places on the sheet, and the true vertices (of a cylinder the points of its rims)."""
     if name == "cylinder":
         x, y, a, b, h = (c * side for c in CYLINDER)
         turns = np.linspace(0.4, 0.4 + 2 * math.pi, 40)
         rims = [[(x + a * math.cos(t), y - up + b * math.sin(t)) for t in turns] for up in (0.0, h)]
         sides = [[(x + s * a, y), (x + s * a, y - h)] for s in (-1, 1)]
-        return [*rims, *sides], [place for line in sides for place in line]
+        return [*rims, *sides], [place for rim in rims for place in rim]
     front, way = SOLIDS[name]
     f1 = [(x * side, y * side) for x, y in front]
     f2 = [(x + way[0] * side, y + way[1] * side) for x, y in f1]
@@ -129,7 +137,10 @@ def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
         return False
     found = state["objects"][0]
     if name == "cylinder":
-        return str(state["shape"]) == "cylinder"
+        outline = np.concatenate([found["f1"], found["f2"], *(arc["points"] for arc in found["arcs"])])
+        off = [outline.min(axis=0) - truth.min(axis=0), outline.max(axis=0) - truth.max(axis=0)]
+        reach = NEAR * float(np.linalg.norm(np.ptp(truth, axis=0)))
+        return str(state["shape"]) == "cylinder" and float(np.abs(off).max()) < reach
     vertices = np.array(found["f1"] + found["f2"])
     if vertices.shape != truth.shape or found["holes"]:
         return False
@@ -138,8 +149,8 @@ def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
     return bool((gaps.min(axis=0) < reach).all() and len(set(gaps.argmin(axis=1).tolist())) == len(truth))
 
 
-def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator) -> bool:
-    """Draw a solid and say whether it came right."""
+def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator, sketches: list[Any]) -> bool:
+    """Draw a solid and say whether it came right; the strokes after each stroke are added to the sketches."""
     page.execute_script("window.timings.fresh()")
     x, y, width, height = page.execute_script(
         "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]"
@@ -148,10 +159,41 @@ def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator) 
     paths, truth = strokes_of(name, side)
     for path in paths:
         stroke(page, by_hand(path, screen.error, rng) + (x + 6, y + 6), screen.touch)
-    settled(page)
+        settled(page)  # a hand goes to where the next stroke begins, and looks
+        sketches.append(json.loads(page.execute_script("return JSON.stringify(timings.state().strokes)")))
     known = "return JSON.stringify({...timings.state(), shape: timings.facts()[0]?.shape})"
     state = json.loads(page.execute_script(known))
     return is_right(name, state, np.array(truth) + 6)
+
+
+def computing(strokes: list[Any], times: int = 1) -> tuple[float, bool]:
+    """Least milliseconds of computing that the server's search of these strokes takes, and whether it gives a solid."""
+    spent = []
+    for _ in range(times):
+        begin = time.process_time()
+        found = reconstruct_sketch({"strokes": strokes})
+        spent.append(1000 * (time.process_time() - begin))
+    return min(spent), bool(found["objects"])
+
+
+def ten_sided() -> list[Any]:
+    """The 30 strokes of a prism, as the page sends them."""
+    turns = np.arange(10) * math.pi / 5 + 0.2
+    low = [(300 + 170 * math.cos(t), 420 + 75 * math.sin(t)) for t in turns]
+    high = [(x + 40, y - 260) for x, y in low]
+    rings = [[ring[k], ring[(k + 1) % 10]] for ring in (low, high) for k in range(10)]
+    return [{"points": line} for line in [*rings, *zip(low, high, strict=True)]]
+
+
+def tell_computing(sketches: list[Any]) -> None:
+    """Print what searches compute."""
+    warm_up()
+    whole = ten_sided()
+    computing(whole)
+    found = [computing(s) for s in sketches if len(s) > LEAST_STROKES]
+    spent = [ms for ms, some in found if some]
+    print(f"\nComputing of a search that gives a solid: median {np.median(spent):.0f} ms, nine in ten ", end="")
+    print(f"{np.percentile(spent, 90):.0f} ms ({len(spent)} sketches); of 30 strokes {computing(whole, 5)[0]:.0f} ms.")
 
 
 def main(each: int) -> None:
@@ -159,6 +201,8 @@ def main(each: int) -> None:
     print("| solid | " + " | ".join(s.name for s in SCREENS) + " |\n|---|" + "---|" * len(SCREENS))
     table: dict[str, list[int]] = {name: [] for name in names}
     waits: list[float] = []
+    searches: list[float] = []
+    sketches: list[Any] = []
     with start_app() as address, start_browser() as page:
         for screen in SCREENS:
             show_screen(page, screen)
@@ -168,16 +212,18 @@ def main(each: int) -> None:
             page.find_element(By.ID, "start-draw").click()
             for name in names:
                 rng = np.random.default_rng([each, len(name), screen.width])
-                table[name].append(sum(draw_one(page, name, screen, rng) for _ in range(each)))
-            waits += page.execute_script("return window.timings.sketch")
+                table[name].append(sum(draw_one(page, name, screen, rng, sketches) for _ in range(each)))
+            waits += page.execute_script("return window.timings.live().waits")
+            searches += page.execute_script("return window.timings.live().searches")
     for name, right in table.items():
         print(f"| {name} | " + " | ".join(f"{r} of {each}" for r in right) + " |")
     sums = [sum(column) for column in zip(*table.values(), strict=True)]
     print("| all | " + " | ".join(f"{s} of {each * len(names)}" for s in sums) + " |")
-    median, most = np.percentile(waits, [50, 90])
-    print(
-        f"\nFrom the end of a stroke to its solid: median {median:.0f} ms, nine in ten {most:.0f} ms, of {len(waits)}."
-    )
+    for what, times in (("a solid of all strokes stands there", waits), ("the whole search is done", searches)):
+        median, most = np.percentile(times, [50, 90])
+        print(f"\nFrom the end of a stroke until {what}: median {median:.0f} ms, nine in ten {most:.0f} ms", end="")
+        print(f" ({len(times)} strokes).")
+    tell_computing(sketches)
 
 
 if __name__ == "__main__":

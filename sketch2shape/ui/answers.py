@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
+import asyncio
+from collections.abc import Awaitable, Callable, Coroutine
 from functools import wraps
-from typing import ParamSpec
+from typing import Any, ParamSpec, TypeVar
 
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
@@ -14,6 +15,7 @@ from sketch2shape.ui.guard import Refusal
 from sketch2shape.ui.workers import BusyError
 
 P = ParamSpec("P")
+T = TypeVar("T")
 
 #: exit code of an error -> HTTP status
 _STATUS = {1: 500, 2: 400, 4: 415, 5: 422, 6: 413, 8: 501}
@@ -36,6 +38,24 @@ def in_plain_words(answer: Callable[P, Awaitable[Response]]) -> Callable[P, Awai
             return JSONResponse({"error": words, "advice": "report this as a bug, with the drawing"}, status_code=500)
 
     return guarded
+
+
+async def while_wanted(request: Request, work: Coroutine[Any, Any, T]) -> T:
+    """What work gives; it is cancelled once whoever asked, whose body has been read, has gone. Raises Refusal then."""
+    task, gone = asyncio.create_task(work), asyncio.create_task(_gone(request))
+    try:
+        await asyncio.wait({task, gone}, return_when=asyncio.FIRST_COMPLETED)
+        if not task.done():
+            raise Refusal(400, "nobody waits for the answer", "try again")
+        return task.result()
+    finally:
+        task.cancel()
+        gone.cancel()
+
+
+async def _gone(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
 
 
 async def plain_refusal(_request: Request, error: Exception) -> Response:

@@ -22,7 +22,7 @@ from starlette.routing import Route
 
 from sketch2shape import __version__
 from sketch2shape.ui import jobs
-from sketch2shape.ui.answers import in_plain_words, plain_refusal
+from sketch2shape.ui.answers import in_plain_words, plain_refusal, while_wanted
 from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.ui.guard import Guard, Refusal, Uploads
 from sketch2shape.ui.hosts import LOCAL_NAMES
@@ -31,7 +31,7 @@ from sketch2shape.ui.openapi import VECTOR_KINDS
 from sketch2shape.ui.workers import WorkerPool, Workers
 
 PAGE_MODULES = (
-    "app", "camera", "editor", "folder", "geometry", "history", "keep", "marks", "pad", "readings", "server", "shape",
+    "app", "camera", "editor", "folder", "geometry", "history", "keep", "live", "marks", "pad", "readings", "server", "shape",
     "sizes", "stage", "take", "tidy", "words",
 )  # fmt: skip
 """Scripts of the page, which load each other."""
@@ -149,7 +149,8 @@ class _Service:
     async def sketch(self, request: Request) -> Response:
         """Strokes in; objects and solids out."""
         async with self._json(request) as data:
-            return JSONResponse(await self.workers.run(jobs.reconstruct_sketch, data, seconds=_LIFT_SECONDS))
+            work = self.workers.run(jobs.reconstruct_sketch, data, seconds=_LIFT_SECONDS)
+            return JSONResponse(await while_wanted(request, work))
 
     @in_plain_words
     async def readings(self, request: Request) -> Response:

@@ -33,7 +33,10 @@ class Workers(Protocol):
     """Runs functions for the app."""
 
     async def run(self, function: Callable[..., T], *arguments: Any, seconds: float) -> T:
-        """The function's result; its errors are raised here. Raises LimitError after `seconds`, BusyError."""
+        """The function's result; its errors are raised here. Raises LimitError after `seconds`, BusyError.
+
+        Work that is cancelled before a worker has begun it is never done.
+        """
 
     @property
     def waiting(self) -> int:
@@ -49,6 +52,7 @@ class WorkerPool:
     def __init__(self, workers: int = 2, *, most_waiting: int = 64, memory: int = 4 * 2**30) -> None:
         """Start `workers` processes, each with `memory` bytes for its work; refuse more than `most_waiting` tasks."""
         self._workers, self._memory, self._most, self._count = workers, memory, most_waiting, 0
+        self._free = asyncio.Semaphore(workers)
         self._pool = self._start()
 
     def _start(self) -> ProcessPool:
@@ -75,10 +79,9 @@ class WorkerPool:
 
         if self._count >= self._most:
             raise BusyError(f"too much work is waiting: {self._count} tasks are before yours")
-        self._count += 1
         try:
-            future = self._schedule(function, arguments, seconds)
-            result: T = await asyncio.wrap_future(future)
+            # a worker in the middle of its work would be ended with it, and a new one takes a second to start
+            result: T = await asyncio.shield(await self._begun(function, arguments, seconds))
             return result
         except TimeoutError as error:
             raise LimitError(
@@ -90,8 +93,27 @@ class WorkerPool:
                     f"it took longer than {seconds:g} seconds of computing", remedy="a smaller or simpler picture"
                 ) from error
             raise LimitError("the work needed too much memory or failed", remedy="a smaller picture") from error
-        finally:
+
+    async def _begun(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float) -> Any:
+        """The future of work that has a worker: it waits here, where it can be cancelled, and not in the pool."""
+        self._count += 1
+        free = False
+        try:
+            free = await self._free.acquire()
+            work = asyncio.wrap_future(self._schedule(function, arguments, seconds))
+        except BaseException:
             self._count -= 1
+            if free:
+                self._free.release()
+            raise
+        work.add_done_callback(self._done)
+        return work
+
+    def _done(self, work: asyncio.Future[Any]) -> None:
+        self._count -= 1
+        self._free.release()
+        if not work.cancelled():
+            work.exception()  # where nobody waits for it any more, it is told to nobody
 
     def _schedule(self, function: Callable[..., Any], arguments: tuple[Any, ...], seconds: float) -> Future[Any]:
         """Hand a task to the pool; a pool that broke down as a whole is replaced first."""

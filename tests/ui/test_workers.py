@@ -69,3 +69,21 @@ def test_work_beyond_the_queue_is_refused(pool: WorkerPool) -> None:
     outcomes = asyncio.run(crowd())
     assert sum(isinstance(o, BusyError) for o in outcomes) == 3
     assert not issubclass(BusyError, UsageError)
+
+
+def test_work_that_nobody_waits_for_is_not_begun_and_what_is_begun_is_ended() -> None:
+    pool = WorkerPool(1)
+
+    async def change_of_mind() -> tuple[int, int, int]:
+        worker = await pool.run(os.getpid, seconds=60)
+        begun = asyncio.create_task(pool.run(time.sleep, 0.5, seconds=60))
+        waiting = asyncio.create_task(pool.run(time.sleep, 600, seconds=60))
+        await asyncio.sleep(0.1)
+        for task in (waiting, begun):
+            task.cancel()
+        await asyncio.gather(begun, waiting, return_exceptions=True)
+        return worker, pool.waiting, await pool.run(os.getpid, seconds=60)
+
+    before, waiting, after = asyncio.run(change_of_mind())
+    assert (before, waiting) == (after, 1)
+    pool.close()

@@ -4,7 +4,8 @@ import { Editor } from "./editor.js";
 import { Strip } from "./folder.js";
 import { History } from "./history.js";
 import { keep, kept, packed, unpacked } from "./keep.js";
-import { NONE, faults, label, told } from "./marks.js";
+import { Live } from "./live.js";
+import { NONE, areEdges, faults, label, told } from "./marks.js";
 import { Pad } from "./pad.js";
 import { Readings } from "./readings.js";
 import * as server from "./server.js";
@@ -12,15 +13,12 @@ import * as shape from "./shape.js";
 import { given, lengthOf, shown } from "./sizes.js";
 import { Stage, colours } from "./stage.js";
 import { Take, offer } from "./take.js";
-import { mayShow } from "./tidy.js";
 import { fill, say } from "./words.js";
 
 const $ = id => document.getElementById(id);
 const NAMES = ["width", "height", "depth"];
-/* ms: a wait worth a sign, a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
-const SOON = 300, LONG = 1200, PAUSE = 350;
-/* ms without a new stroke after which a drawing with loose ends is searched as a whole */
-const REST = 400;
+/* ms: a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
+const LONG = 1200, PAUSE = 350;
 const SURE = 0.9;
 
 /* all that undo travels through: the sheet in view, strokes, objects, loose vertices; why the objects are only a guess ("" if
@@ -32,13 +30,13 @@ const NO_SOLID = { solid: { vertices: [], triangles: [], edges: [] }, facts: [] 
 let state = EMPTY, open = BLANK, selected = 0, families = [], marks = NONE, left = [], about = null, answer = NO_SOLID;
 const history = new History(EMPTY);
 /* for those who measure: ms from the end of a stroke to its solid, and what the page knows */
-const timings = window.timings = { sketch: [], busy: () => asking, state: () => state, facts: () => answer.facts, zoom: () => pad.view.s, reads: kinds => { about.reads = kinds; }, fresh: () => startSketch() };
+const timings = window.timings = { live: () => live, busy: () => live.busy, state: () => state, facts: () => answer.facts, zoom: () => pad.view.s, reads: kinds => { about.reads = kinds; }, fresh: () => startSketch() };
 
 fill(document);
 const stage = new Stage({ size: (name, text) => typed(name, text, true) });
 const readings = new Readings($("readings"), number => set(o => { o.reading = number; }));
 const pad = new Pad($("pad"), {
-  change: strokes => { step({ ...state, strokes, guess: "" }); live(performance.now()); },
+  change: strokes => { const before = state.strokes; step({ ...state, strokes }); follow(before); },
   say: words => { $("hint").textContent = words; },
   paint: () => label($("marks"), drawing() ? marks : NONE, p => pad.onScreen(p), () => pad.join()),
 });
@@ -100,6 +98,7 @@ function sheetOf() {
 }
 
 function goTo(sheet) {
+  live.stop();
   if (sheet === "editor") { editor.open(sheetOf(), state, open.kind === "sketch" ? state.strokes.flatMap(s => [s.points[0], s.points.at(-1)]) : open.corners); pick("move"); }
   step({ ...state, sheet });
   view();
@@ -128,6 +127,7 @@ function mayDrop() {
 
 /* ---- draw */
 function startSketch(strokes = [], wishes = []) {
+  live.stop();
   open = { ...BLANK };
   strip.close();
   state = { ...EMPTY, sheet: "pad", strokes, objects: [] };
@@ -138,54 +138,32 @@ function startSketch(strokes = [], wishes = []) {
   showAnswer(NO_SOLID);
   showStages([]);
   view();
-  if (strokes.length) { pad.fit(); live(performance.now()); }
+  if (strokes.length) { pad.fit(); follow(); }
   else pad.view = { x: 0, y: 0, s: 1 };
   tell(say("welcome"));
   $("pad").focus({ preventScroll: true });
 }
 
-/* the solid follows the strokes: at once where all ends meet; while some are loose, which takes the longest to search, only
-   once the pen rests. One request at a time, the latest strokes last */
-let asking = false, wished = [], lastStroke = 0;
-async function live(since) {
-  lastStroke = since;
-  review(null);
-  if (asking) return;
-  asking = true;
-  const sign = setTimeout(() => busy(say("working")), SOON);
-  try {
-    for (let strokes = null; strokes !== state.strokes && drawing();) {
-      ({ strokes } = state);
-      if (!mayShow(strokes)) nothingYet(strokes);
-      else await look(strokes);
-    }
-  } catch (error) {
-    tell(error.message, true);
-  } finally {
-    clearTimeout(sign);
-    busy("");
-    asking = false;
-  }
+const live = new Live({
+  ask: (strokes, signal) => server.sketch(strokes, signal),
+  show: showLive,
+  none: nothingYet,
+  failed: error => tell(error.message, true),
+  busy: is => busy(is ? say("working") : ""),
+});
+
+/* the strokes were changed: those before are given where some were only added */
+function follow(before = null) {
+  const { strokes, objects } = state, fits = Boolean(before) && before.length < strokes.length && !state.guess && answer.facts.length === 1
+    && before.every((s, k) => s === strokes[k]) && areEdges(strokes.slice(before.length), objects[0], pad.unit);
+  review(fits ? objects[0] : null);
+  live.follow(strokes, fits);
 }
 
 function nothingYet(strokes) {
   amend({ ...state, objects: [], guess: "", sure: null });
   showAnswer(NO_SOLID);
   if (strokes.length) tell(say("needMore"));
-}
-
-async function look(strokes) {
-  if (marks.loose.length) await rest(strokes);
-  if (strokes !== state.strokes) return;
-  const found = await server.sketch(strokes);
-  if (strokes !== state.strokes) return;
-  await showLive(found);
-  timings.sketch.push(performance.now() - lastStroke);
-}
-
-/* until the pen has rested, or has drawn on */
-async function rest(strokes) {
-  while (strokes === state.strokes && performance.now() - lastStroke < REST) await new Promise(done => setTimeout(done, 30));
 }
 
 function amend(next) {
@@ -195,7 +173,9 @@ function amend(next) {
   buttons();
 }
 
-async function showLive(found) {
+let wished = [];
+async function showLive(found, isNewest) {
+  if (!drawing()) return;
   const objects = shape.withWishes(found.objects, state.objects.length ? state.objects : wished);
   const some = objects.length > 0;
   amend({ ...state, objects, guess: found.problem && some ? found.problem.error : "", sure: some ? Math.min(...found.objects.map(o => o.confidence)) : null });
@@ -203,7 +183,9 @@ async function showLive(found) {
   const first = answer === NO_SOLID || !answer.facts.length;
   const wishes = objects.some(o => o.projection !== "auto" || NAMES.some(n => o.sizes[n]));
   families = found.facts.map(f => f.projection);
-  showAnswer(wishes && some ? await server.lift(correctionsNow()) : found, first);
+  const shown = wishes && some ? await server.lift(correctionsNow()) : found;
+  if (!isNewest()) return;
+  showAnswer(shown, first);
   review(found.objects[0]);
   if (state.guess) tell(say("guessedLive"));
   else if (some) tell(say("foundLive", { what: found.facts.map(f => f.shape).join(", ") }));
@@ -242,6 +224,7 @@ async function load(blob, name, page = 0) {
 }
 
 function showPicture(found, blob, name, page = 0) {
+  live.stop();
   left = found.problem?.left || [];
   const { width, height, picture, corners, pages } = found, some = found.objects.length > 0;
   open = { kind: "picture", blob, name, width, height, picture, corners, page, pages };
@@ -441,13 +424,14 @@ function pickPad(tool) { choose($("pad-tools").children, "pad", tool); pad.setTo
 function travel(back) {
   const next = back ? history.undo() : history.redo();
   if (!next) return;
+  live.stop();
   state = next;
   pad.show(state.strokes);
   if (state.sheet === "editor") editor.open(sheetOf(), state, editor.corners); else editor.show(state);
   view();
   settings();
   saveSoon();
-  if (drawing()) { review(state.objects[0] || null); if (state.objects.length) lifted(); else live(performance.now()); }
+  if (drawing()) { review(state.objects[0] || null); if (state.objects.length) lifted(); else follow(); }
   else lifted();
 }
 

@@ -1,5 +1,5 @@
 /* What is wrong with a drawing, in plain words at the place where it is. */
-import { middle } from "./geometry.js";
+import { gap, middle, toSegment } from "./geometry.js";
 import { looseEnds, undrawn } from "./tidy.js";
 import { count, say } from "./words.js";
 
@@ -30,6 +30,17 @@ function edgesOf({ f1, f2, holes, arcs = [] }) {
     const across = ring.f1.map((p, k) => [p, ring.f2[ring.f2.length === n ? k : 0]]);
     return [...around(ring.f1), ...around(ring.f2), ...across];
   }).filter(([a, b]) => a && b);
+}
+
+/* do these strokes draw edges of the object, each a different one, as a whole? */
+export function areEdges(strokes, found, unit) {
+  const near = ALONG * unit, free = edgesOf(found);
+  return strokes.every(({ points }) => {
+    const [p, q] = [points[0], points.at(-1)];
+    const k = free.findIndex(([a, b]) => points.every(c => toSegment(c, a, b).gap < near) && [a, b].every(e => Math.min(gap(e, p), gap(e, q)) < near));
+    if (k >= 0) free.splice(k, 1);
+    return k >= 0;
+  });
 }
 
 /* the faults counted, in one sentence; "" if there are none */

@@ -15,8 +15,8 @@ async function ask(address, options) {
   throw new Error(`${words[0].toUpperCase()}${words.slice(1)}. ${said.advice ? say("tryThis", said) : ""}`.trim());
 }
 
-function post(address, data) {
-  return ask(address, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(data) });
+function post(address, data, signal) {
+  return ask(address, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(data), signal });
 }
 
 export async function reconstruct(blob, name, page = 0) {
@@ -26,7 +26,8 @@ export async function reconstruct(blob, name, page = 0) {
   return (await ask("/api/reconstruct", { method: "POST", headers, body: blob })).json();
 }
 
-export async function sketch(strokes) { return (await post("/api/sketch", { strokes })).json(); }
+/* signal: aborts what nobody waits for any more */
+export async function sketch(strokes, signal) { return (await post("/api/sketch", { strokes }, signal)).json(); }
 
 export async function lift(corrections) { return (await post("/api/lift", corrections)).json(); }
 

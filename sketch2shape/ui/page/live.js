@@ -1,0 +1,56 @@
+/* The solid follows the strokes, the newest first. A stroke along an edge of the solid in view changes nothing to be seen:
+   that solid stays, and the whole search, which tells how sure it is, waits until the pen rests. */
+import { mayShow } from "./tidy.js";
+
+/* ms: a wait worth a sign; a rest of the pen */
+const SOON = 300, REST = 400;
+/* ms from which a search took so long that a drawing on its way is not searched at every stroke: others wait too */
+const SLOW = 1500;
+
+const pause = ms => new Promise(done => setTimeout(done, ms));
+
+export class Live {
+  /* on: {ask(strokes, signal): gives what was found, show(found, isNewest()), none(strokes): too few of them, failed(error),
+     busy(is)} */
+  constructor(on) { Object.assign(this, { on, turn: 0, pending: 0, took: 0, waits: [], searches: [] }); }
+
+  get busy() { return this.pending > 0; }
+
+  /* the strokes are these now; `fits`: the solid in view is one of them already. waits and searches, ms, are for those who
+     measure: until a solid of these strokes stood there, and until all was known of it */
+  async follow(strokes, fits = false) {
+    const begin = performance.now(), turn = ++this.turn, isNewest = () => turn === this.turn;
+    this.flight?.abort();
+    this.flight = null;
+    if (!mayShow(strokes)) { this.on.none(strokes); return; }
+    if (fits) this.waits.push(performance.now() - begin);
+    this.pending++;
+    let sign = 0;
+    try {
+      if (fits || this.took > SLOW) await pause(REST);
+      if (!isNewest()) return;
+      sign = setTimeout(() => { if (isNewest()) this.on.busy(true); }, SOON);
+      const asked = performance.now(), flight = this.flight = new AbortController();
+      const found = await this.on.ask(strokes, flight.signal);
+      this.took = performance.now() - asked;
+      if (!isNewest()) return;
+      await this.on.show(found, isNewest);
+      if (!isNewest()) return;
+      this.searches.push(performance.now() - begin);
+      if (!fits && found.objects.length) this.waits.push(performance.now() - begin);
+    } catch (error) {
+      if (isNewest()) this.on.failed(error);
+    } finally {
+      clearTimeout(sign);
+      this.pending--;
+      if (isNewest()) this.on.busy(false);
+    }
+  }
+
+  /* what is on its way is not wanted any more */
+  stop() {
+    this.turn++;
+    this.flight?.abort();
+    this.on.busy(false);
+  }
+}
