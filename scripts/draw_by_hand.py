@@ -137,7 +137,7 @@ def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
         return False
     found = state["objects"][0]
     if name == "cylinder":
-        outline = np.concatenate([found["f1"], found["f2"], *(arc["points"] for arc in found["arcs"])])
+        outline = np.concatenate([arc["points"] for arc in found["arcs"]] or [np.zeros((1, 2))])
         off = [outline.min(axis=0) - truth.min(axis=0), outline.max(axis=0) - truth.max(axis=0)]
         reach = NEAR * float(np.linalg.norm(np.ptp(truth, axis=0)))
         return str(state["shape"]) == "cylinder" and float(np.abs(off).max()) < reach
