@@ -31,8 +31,8 @@ from sketch2shape.ui.openapi import VECTOR_KINDS
 from sketch2shape.ui.workers import WorkerPool, Workers
 
 PAGE_MODULES = (
-    "app", "camera", "editor", "folder", "geometry", "history", "keep", "live", "marks", "pad", "readings", "server",
-    "shape", "sizes", "stage", "take", "tidy", "words",
+    "app", "begun", "camera", "editor", "folder", "geometry", "history", "keep", "live", "marks", "pad", "readings",
+    "server", "shape", "sizes", "stage", "take", "tidy", "words",
 )  # fmt: skip
 """Scripts of the page, which load each other."""
 

@@ -52,7 +52,7 @@ def _fact(solid: Solid, sure: float) -> dict[str, Any]:
         "free": free_size(solid.warnings),
         "readings": 1 + len(solid.alternatives),
         "confidence": round(sure, 3),
-        "warnings": list(solid.warnings),
+        "warnings": [w for w in solid.warnings if free_size([w]) is None],  # what is free is marked where it stands
     }
 
 

@@ -1,4 +1,5 @@
 /* The page: what is open, what was found, what was changed, and the wiring between them. */
+import { begun } from "./begun.js";
 import { photograph } from "./camera.js";
 import { Editor } from "./editor.js";
 import { Strip } from "./folder.js";
@@ -13,6 +14,7 @@ import * as shape from "./shape.js";
 import { given, lengthOf, shown } from "./sizes.js";
 import { Stage, colours } from "./stage.js";
 import { Take, offer } from "./take.js";
+import { looseEnds } from "./tidy.js";
 import { fill, say } from "./words.js";
 
 const $ = id => document.getElementById(id);
@@ -20,6 +22,8 @@ const NAMES = ["width", "height", "depth"];
 /* ms: a wait worth asking how long the queue is, a pause before choices are shown and work is kept */
 const LONG = 1200, PAUSE = 350;
 const SURE = 0.9;
+/* confidence below which a drawing with loose ends is rather what it has begun */
+const EVEN = 0.5;
 
 /* all that undo travels through: the sheet in view, strokes, objects, loose vertices; why the objects are only a guess ("" if
    they are not) and how sure they are (null once changed by hand) */
@@ -145,7 +149,7 @@ function startSketch(strokes = [], wishes = []) {
 }
 
 const live = new Live({
-  ask: (strokes, signal) => server.sketch(strokes, signal),
+  ask: found,
   show: showLive,
   none: nothingYet,
   failed: error => tell(error.message, true),
@@ -154,10 +158,20 @@ const live = new Live({
 
 /* the strokes were changed: those before are given where some were only added */
 function follow(before = null) {
-  const { strokes, objects } = state, fits = Boolean(before) && before.length < strokes.length && !state.guess && answer.facts.length === 1
+  const { strokes, objects } = state, fits = Boolean(before) && before.length < strokes.length && ["", say("begun")].includes(state.guess) && answer.facts.length === 1
     && before.every((s, k) => s === strokes[k]) && areEdges(strokes.slice(before.length), objects[0], pad.unit);
   review(fits ? objects[0] : null);
   live.follow(strokes, fits);
+}
+
+/* what the strokes are of; where that is no solid yet, what they have begun */
+async function found(strokes, signal) {
+  const answered = await server.sketch(strokes, signal), odds = Math.min(...answered.objects.map(o => o.confidence));
+  const open = answered.problem || (odds < EVEN && looseEnds(strokes, pad.unit).length > 0), start = open && begun(strokes, pad.unit);
+  if (!start) return answered;
+  const { x, y, width, height } = pad.frame(), object = { ...shape.newObject(start.f1, start.f2), lines: start.lines };
+  const lifted = await server.lift(shape.corrections(shape.shifted({ ...EMPTY, objects: [object] }, -x, -y), width, height));
+  return { ...lifted, objects: [{ ...object, confidence: null }], problem: { error: say("begun"), left: [] } };
 }
 
 function nothingYet(strokes) {
@@ -187,7 +201,7 @@ async function showLive(found, isNewest) {
   if (!isNewest()) return;
   showAnswer(shown, first);
   review(found.objects[0]);
-  if (state.guess) tell(say("guessedLive"));
+  if (state.guess) tell(state.guess === say("begun") ? state.guess : say("guessedLive"));
   else if (some) tell(say("foundLive", { what: found.facts.map(f => f.shape).join(", ") }));
   else tell(say("needMore"));
   chooseSoon();
@@ -199,7 +213,7 @@ function review(found) {
   marks = faults(state.strokes, sure ? null : found, pad.unit, found && state.guess ? left : []);
   pad.mark(marks);
   pad.over(found ? { sure, front: state.objects.flatMap(o => shape.rings(o).map((_, r) => shape.outline(o, r, 1))) } : null);
-  if (drawing()) $("hint").textContent = told(marks) || say("hintPad");
+  if (drawing()) $("hint").textContent = told(marks) || (found && sure ? say("hintDone") : say("hintPad"));
 }
 
 /* ---- open a picture */

@@ -10,13 +10,15 @@ const MOST_LABELS = 3;
 
 export const NONE = { loose: [], missing: [], left: [] };
 
-/* what is wrong: {loose: [{point, other}], missing: [[a, b]], left: [[a, b]]}; `left` are lines that the guess has no place for.
+/* what is wrong: {loose: [{point, other}], missing: [[a, b]], left: [[a, b]]}; `left` are lines that the guess has no place for:
+   none are told while an end waits for its line, as nobody has said that the drawing is done.
    Ends are told once there is enough to belong together; edges
    once something was found that has them and that is not a drawing without hidden lines */
 export function faults(strokes, found, unit, left = []) {
   const loose = strokes.length > 2 ? looseEnds(strokes, NEAR * unit) : [];
   const edges = found && found.lines !== "removed" ? edgesOf(found) : [];
-  return { loose, missing: undrawn(edges, strokes, ALONG * unit), left };
+  const waits = loose.some(l => !l.other);
+  return { loose, missing: waits ? [] : undrawn(edges, strokes, ALONG * unit), left: waits ? [] : left };
 }
 
 /* the straight edges; a drawing has none where a line and an arc join smoothly, so of objects with arcs those between the

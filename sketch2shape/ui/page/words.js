@@ -8,7 +8,7 @@ const ENGLISH = {
   take: "Download", takeTip: "The solid as a file", saveCorrections: "Save corrections", chooseFile: "Open a picture, or a corrections file", chooseFolder: "Open a folder of pictures",
   choosePhoto: "Take a photo",
   /* first screen */
-  claim: "Draw it. Turn it. Print it.", claimMore: "Sketch a box, a house, a bracket: any solid with two like faces. It stands up in three dimensions while you draw.",
+  claim: "Draw it. Turn it. Print it.", claimMore: "Sketch a box, a house, a cylinder, a bracket: it stands up in three dimensions while you draw.",
   startDraw: "Draw", startOpen: "Open a picture", startPhoto: "Take a photo", startExample: "Or try one of these", dropHere: "Drop a picture anywhere, or paste one.",
   heroSketch: "A drawing of a bracket", heroSolid: "The bracket as a turning solid",
   goOn: "Go on with your drawing", goOnTip: "It was kept in this browser",
@@ -20,10 +20,10 @@ const ENGLISH = {
   zoomIn: "Zoom in", zoomOut: "Zoom out", zoomFit: "Fit", zoomFitTip: "Fit the drawing",
   padLabel: "Drawing sheet. Arrow keys move the pen by ten, with Shift by one; Enter puts it down and lifts it; Escape cancels; or use Numbers.",
   penAt: "Pen at {x}, {y}.", penDown: "Pen down at {x}, {y}.", lineDrawn: "Line to {x}, {y}.",
-  hintPad: "Draw the front, the back and the edges between them. Hidden edges: leave them out, or use Hidden.",
+  hintPad: "Draw all edges; hidden ones if you like.", hintDone: "Type its sizes on it, turn it, download it; or draw on.",
   hintErase: "Drag over lines to rub them out.", hintSelect: "Tap a line to select it, drag a corner to move it; Delete removes what is selected.",
   hintHand: "Drag the sheet; two fingers zoom, so does Ctrl with the wheel.",
-  dontMeet: "These two lines do not meet", missingEdge: "An edge is missing here", unsure: "This is only a guess",
+  dontMeet: "These two lines do not meet", missingEdge: "An edge is missing here", unsure: "Only a guess",
   dontMeetCount: "{n} places where two lines do not meet", looseCount: "{n} loose ends", missingCount: "{n} edges are missing", leftCount: "{n} red lines fit no solid", leftOne: "the red line fits no solid",
   dontMeetOne: "1 place where two lines do not meet", looseOne: "1 loose end", missingOne: "1 edge is missing", joinThem: "Join them",
   /* numbers dialogue */
@@ -55,7 +55,7 @@ const ENGLISH = {
   /* messages */
   welcome: "Draw a solid, open a picture of one, or pick an example.", looking: "Looking at {name}…", queue: "{n} before you in the queue…",
   found: "Found the object in {name}. If a corner is wrong, drag it to its place.", foundMany: "Found {n} objects in {name}.", foundLive: "That is a solid: {what}.",
-  foundNot: "No object was found: {why}. Trace it by hand: click around its front face.", guessedLive: "Only a guess yet: some lines fit no solid.", guessed: "Only a guess, shown pale: {why}. Put it right, or take it anyway.", leftOver: "the lines marked red fit no solid", follows: "The solid follows your changes.",
+  foundNot: "No object was found: {why}. Trace it by hand: click around its front face.", guessedLive: "Only a guess yet: some lines fit no solid.", begun: "A solid begins to stand up: go on, or take it as it is.", guessed: "Only a guess, shown pale: {why}. Put it right, or take it anyway.", leftOver: "the lines marked red fit no solid", follows: "The solid follows your changes.",
   kept: "Your work is kept in this browser.", needMore: "Go on drawing: no solid can be seen yet.",
   downloaded: "{name} is in your downloads.", copied: "The link is in the clipboard.", linkLong: "The drawing is too large for a link: send the file of Save corrections.",
   linkBad: "The link does not hold a whole drawing.", pictureFirst: "Open the picture first, then its corrections.", notCorrections: "{name} is not a corrections file: {why}",
