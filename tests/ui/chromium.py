@@ -32,14 +32,14 @@ def missing() -> str | None:
 
 
 @contextmanager
-def start_browser(downloads: Path | None = None, *, many: bool = False) -> Iterator[Chrome]:
+def start_browser(downloads: Path | None = None, *flags: str, many: bool = False) -> Iterator[Chrome]:
     """A browser with an empty profile; what it downloads goes to `downloads`. Many: it can hold several, each fresh."""
     options = ChromeOptions()
     options.enable_bidi = many
     options.binary_location = str(shutil.which("chromium"))
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        for flag in (*QUIET, f"--user-data-dir={profile}"):
+        for flag in (*QUIET, *flags, f"--user-data-dir={profile}"):
             options.add_argument(flag)
         if downloads is not None:
             options.add_experimental_option("prefs", {"download.default_directory": str(downloads)})

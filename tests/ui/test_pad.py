@@ -140,3 +140,34 @@ def test_a_face_and_one_edge_are_a_solid_that_may_be_taken(page: Chrome) -> None
     assert "fit no solid" not in read(page, "#hint")
     page.find_element(By.ID, "anyway").click()
     wait(lambda: page.find_element(By.ID, "download").is_enabled())
+
+
+def test_a_palm_does_not_draw_nor_a_finger_while_a_pen_does(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    box = "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x + 60, r.y + 60]"
+    x, y = page.execute_script(box)
+
+    def rub(radius: float) -> None:
+        for kind, dx in (("touchStart", 0), ("touchMove", 60), ("touchMove", 120)):
+            points = [{"x": x + dx, "y": y + dx / 2, "radiusX": radius, "radiusY": radius}]
+            page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+    rub(40)
+    assert strokes(page) == 0
+    rub(9)
+    assert strokes(page) == 1
+    for kind, dx in (("mousePressed", 0), ("mouseMoved", 80), ("mouseReleased", 160)):
+        told = {
+            "type": kind,
+            "x": x + dx,
+            "y": y + 200,
+            "button": "left",
+            "buttons": 1,
+            "pointerType": "pen",
+            "clickCount": 1,
+        }
+        page.execute_cdp_cmd("Input.dispatchMouseEvent", told)
+    assert strokes(page) == 2
+    rub(9)
+    assert strokes(page) == 2

@@ -34,7 +34,7 @@ const NO_SOLID = { solid: { vertices: [], triangles: [], edges: [] }, facts: [] 
 let state = EMPTY, open = BLANK, selected = 0, families = [], marks = NONE, left = [], about = null, answer = NO_SOLID;
 const history = new History(EMPTY);
 /* for those who measure: ms from the end of a stroke to its solid, and what the page knows */
-const timings = window.timings = { live: () => live, busy: () => live.busy, state: () => state, facts: () => answer.facts, zoom: () => pad.view.s, reads: kinds => { about.reads = kinds; }, fresh: () => startSketch() };
+const timings = window.timings = { live: () => live, busy: () => live.busy, state: () => state, facts: () => answer.facts, solid: () => stage.view, zoom: () => pad.view.s, reads: kinds => { about.reads = kinds; }, fresh: () => startSketch() };
 
 fill(document);
 const stage = new Stage({ size: (name, text) => typed(name, text, true) });
