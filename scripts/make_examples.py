@@ -34,6 +34,12 @@ SOURCES = {
     "pencil": Source("pencil_removed", 3),
     "photo": Source("photo_wire", 8),
     "blackboard": Source("blackboard_wire", 6),
+    "cylinder": Source("cylinder_dashed", 3),
+    "ring": Source("tube_removed", 8),
+    "channel": Source("arcs_removed", 8),
+    "holes": Source("plate_dashed", 8),
+    "cone": Source("cone_dashed", 4),
+    "pyramid": Source("pyramid_dashed", 6),
 }
 
 

@@ -23,6 +23,12 @@ EXAMPLES: dict[str, Example] = {
     "pencil": Example("Pencil, hidden edges left out"),
     "photo": Example("Photo of a page"),
     "blackboard": Example("On a blackboard"),
+    "cylinder": Example("Cylinder"),
+    "ring": Example("Ring"),
+    "channel": Example("Channel with a round floor"),
+    "holes": Example("Round end, two holes"),
+    "cone": Example("Cone"),
+    "pyramid": Example("Pyramid"),
 }
 
 

@@ -5,6 +5,9 @@ import pytest
 from sketch2shape.pipeline import reconstruct
 from sketch2shape.ui.examples import EXAMPLES, example_png
 
+HOLES = {"hole": 1, "ring": 1, "holes": 2}
+ROUND = ("cylinder", "ring", "channel", "holes", "cone")
+
 
 @pytest.mark.parametrize("name", list(EXAMPLES))
 def test_each_example_becomes_a_solid(name: str) -> None:
@@ -12,7 +15,8 @@ def test_each_example_becomes_a_solid(name: str) -> None:
     assert len(result.objects) == 1
     assert result.objects[0].confidence >= 0.9
     assert result.mesh.is_watertight
-    assert len(result.objects[0].holes) == (name == "hole")
+    assert len(result.objects[0].holes) == HOLES.get(name, 0)
+    assert bool(result.objects[0].arcs) == (name in ROUND)
 
 
 def test_each_example_is_a_file_of_the_package_and_each_file_an_example() -> None:
