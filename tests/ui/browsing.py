@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import cv2
 import numpy as np
@@ -21,6 +21,8 @@ needs_browser = pytest.mark.skipif(missing() is not None, reason=str(missing()))
 #: a box on the drawing pad, from its middle, pixels of the screen
 FRONT = [(-150, -60), (50, -60), (50, 110), (-150, 110)]
 SHIFT = (90, -70)
+
+Place: TypeAlias = tuple[int, int]
 
 
 def wait(check: Callable[[], Any], seconds: float = 120) -> Any:
@@ -93,15 +95,26 @@ def drag(page: Chrome, element: Any, dx: int, dy: int) -> None:
     ).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
 
 
-def draw_box(page: Chrome) -> None:
+def draw_lines(page: Chrome, lines: Iterable[tuple[Place, Place]]) -> None:
+    """Draw lines on a new sheet, each from one place to another, pixels from its middle."""
     page.find_element(By.ID, "draw").click()
     pad = page.find_element(By.ID, "pad")
-    for i, (x, y) in enumerate(FRONT):
-        u, v = FRONT[(i + 1) % 4]
-        for a, b, c, d in ((x, y, u, v), (x + 90, y - 70, u + 90, v - 70), (x, y, x + 90, y - 70)):
-            ActionChains(page, duration=10).move_to_element_with_offset(
-                pad, a, b
-            ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
+    for (a, b), (c, d) in lines:
+        ActionChains(page, duration=10).move_to_element_with_offset(
+            pad, a, b
+        ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
+
+
+def draw_box(page: Chrome) -> None:
+    back = [(x + SHIFT[0], y + SHIFT[1]) for x, y in FRONT]
+    rings = [[ring[i], ring[(i + 1) % 4]] for i in range(4) for ring in (FRONT, back)]
+    draw_lines(page, [(a, b) for a, b in [*rings, *zip(FRONT, back, strict=True)]])
+
+
+def draw_beginning(page: Chrome) -> None:
+    """The front of a box, and one edge that leaves it."""
+    (x, y), (dx, dy) = FRONT[1], SHIFT
+    draw_lines(page, [*((FRONT[i], FRONT[(i + 1) % 4]) for i in range(4)), ((x, y), (x + dx, y + dy))])
 
 
 def strokes(page: Chrome) -> int:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from selenium.webdriver import Chrome
 
-from .browsing import draw_box, message, needs_browser, painted, read, volume, wait
+from .browsing import draw_beginning, draw_box, message, needs_browser, painted, read, volume, wait
 
 _FOUND = importlib.util.find_spec("axe_core_python")
 pytestmark = [
@@ -74,6 +74,20 @@ def drawn(page: Chrome) -> None:
     wait(lambda: volume(page) and read(page, "#readings li"))
 
 
+def begun(page: Chrome) -> None:
+    start(page)
+    draw_beginning(page)
+    wait(lambda: "begins to stand up" in message(page))
+
+
+def cylinder(page: Chrome) -> None:
+    start(page)
+    page.execute_script(
+        "[...document.querySelectorAll('#gallery button')].find(b => b.textContent === 'Cylinder').click()"
+    )
+    wait(lambda: "Found the object" in message(page))
+
+
 def corners(page: Chrome) -> None:
     drawn(page)
     click(page, "#adjust")
@@ -104,6 +118,8 @@ def guessed(page: Chrome) -> None:
 STATES: dict[str, Callable[[Chrome], None]] = {
     "start": start,
     "drawn": drawn,
+    "begun": begun,
+    "cylinder": cylinder,
     "corners": corners,
     "found": found,
     "a guess and an error": guessed,

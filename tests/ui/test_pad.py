@@ -10,7 +10,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from .browsing import (
-    FRONT,
+    draw_beginning,
     draw_box,
     message,
     needs_browser,
@@ -128,13 +128,7 @@ def test_a_second_finger_locks_the_axis_and_two_fingers_zoom(page: Chrome) -> No
 
 
 def test_a_face_and_one_edge_are_a_solid_that_may_be_taken(page: Chrome) -> None:
-    page.find_element(By.ID, "draw").click()
-    pad = page.find_element(By.ID, "pad")
-    lines = [*zip(FRONT, FRONT[1:] + FRONT[:1], strict=True), (FRONT[1], (FRONT[1][0] + 90, FRONT[1][1] - 70))]
-    for (a, b), (c, d) in lines:
-        ActionChains(page, duration=10).move_to_element_with_offset(
-            pad, a, b
-        ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
+    draw_beginning(page)
     wait(lambda: "begins to stand up" in message(page) and volume(page))
     assert page.find_element(By.ID, "download").get_attribute("disabled")
     assert "fit no solid" not in read(page, "#hint")

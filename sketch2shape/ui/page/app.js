@@ -397,7 +397,7 @@ function buttons() {
   $("undo").disabled = !history.canUndo;
   $("redo").disabled = !history.canRedo;
   $("download").disabled = $("save").disabled = !some;
-  $("share").disabled = !state.strokes.length;
+  $("share").disabled = $("share-too").disabled = !state.strokes.length;
   $("adjust").disabled = !state.objects.length;
   $("clear").disabled = !state.strokes.length;
   $("refresh").hidden = state.sure !== null || !some || open.kind !== "picture";
@@ -475,6 +475,7 @@ for (const [id, does] of Object.entries({
   "zoom-in": () => drawing() ? pad.zoom(1.4) : editor.zoom(1 / 1.4), "zoom-out": () => drawing() ? pad.zoom(1 / 1.4) : editor.zoom(1.4), "zoom-fit": () => drawing() ? pad.fit() : editor.fit(),
   swap: () => { if (state.objects.length) change(shape.swapped(state, selected)); },
   anyway: () => { editor.left = []; editor.paint(); step({ ...state, guess: "", sure: null }); showAnswer(answer); tell(say("follows")); },
+  "share-too": () => { $("take").close(); $("share").click(); },
   share: async () => {
     const text = await packed(state);
     if (!text) { tell(say("linkLong"), true); return; }

@@ -33,7 +33,7 @@ const ENGLISH = {
   trace: "Trace", traceTip: "Click around the front face (T)", front: "Front", frontTip: "This is the front: click the face that looks at you (R)",
   object: "Object", together: "Move both faces together", swap: "Swap front and back", keyFront: "front", keyBack: "back", keyJoin: "between",
   editorLabel: "The drawing with its vertices. Tab goes from vertex to vertex, arrow keys move it, Delete removes it, F exchanges it with its partner.",
-  hintMove: "Drag a vertex to its place; drag beside it to move the drawing, pinch or Ctrl and wheel to zoom.",
+  hintMove: "Drag a vertex; drag beside it to move the drawing.",
   hintAdd: "Click near an edge to put a vertex into it; its partner on the other face comes with it.",
   hintRemove: "Click a vertex to delete it with its partner.",
   hintExchange: "Click a vertex to give it to the other face. Loose vertices go from none to front to back.",
