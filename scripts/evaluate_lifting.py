@@ -194,12 +194,13 @@ four-sided faces each of the three pairs of sides.
 1. **How are the two faces related?** Alike, similar, or by lines that meet. Residuals are taken as Student's t around
    the noise told, as a hand shakes more than its lines show. A far face that is a little off in size is a careless
    hand; only one clearly smaller is farther away, or tapers. Perspective has to earn its two more parameters.
-2. **How regular is the true face?** Right and other simple angles, parallels, mirror symmetry and equal lengths, each
-   as sharp as the noise makes it.
+2. **How regular is the solid?** Right and other simple angles, parallels, mirror symmetry and equal lengths of the true
+   face, and a depth of once, twice or half an edge, each as sharp as the noise makes it.
 3. **How usual is the view?** Level edges mean oblique; edges along all three axes at 30, 90 and 150 degrees mean
-   isometric; what is drawn plumb is vertical; nothing is much longer than it looks.
+   isometric; what is drawn plumb is vertical; nothing is much longer than it looks. In a named view what is drawn near
+   an axis runs along it: how far astray it was drawn counts once.
 4. **Which solid is likeliest?** Readings that give the same proportions count together. The others are the
-   `alternatives`: `--reading 2` takes the second.
+   `alternatives`: `--reading 2` takes the second. A slant that the drawing leaves vague is the mean of those it may be.
 5. **Tidying.** Nearly parallel, right-angled, equal, symmetric or regular is made exact if that is likelier than chance
    and moves no vertex further than the noise.
 6. **Standing.** The solid stands on z = 0, centred, x to the right and y away. `Solid.camera` takes its vertices back
@@ -207,7 +208,7 @@ four-sided faces each of the three pairs of sides.
 
 `Solid.confidence` is the part of the likelihood in solids of these proportions, times how well the noise leaves them
 known. Its weights are fitted by `scripts/calibrate_lifting.py` on one half of drawings made there; on the other half
-98.6 % of the solids at 0.9 or more are what was meant. A depth that an oblique drawing leaves free does not count: it
+98.4 % of the solids at 0.9 or more are what was meant. A depth that an oblique drawing leaves free does not count: it
 is a stated default.
 
 What no wireframe tells: which of its two faces is in front (it is seen from above then); in an axonometric one of a

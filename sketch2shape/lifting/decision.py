@@ -34,8 +34,9 @@ from sketch2shape.lifting.parallel import (
     oblique_shape,
 )
 from sketch2shape.lifting.perspective import facing_shape, perspective_shape, seen_by_cameras
+from sketch2shape.lifting.poses import Pose
 from sketch2shape.lifting.projection import Drawing
-from sketch2shape.lifting.reading import ParallelReading, Pose, read_parallel, refined_pose
+from sketch2shape.lifting.reading import ParallelReading, read_parallel, refined_pose
 from sketch2shape.lifting.regularity import Relations, find_edge_relations, find_relations
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.lifting.standing import standing_odds, standing_shape

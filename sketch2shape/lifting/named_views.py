@@ -17,7 +17,7 @@ from sketch2shape.model import Floats
 Name = Literal["isometric", "dimetric"]
 
 #: how far off a hand or a pixel draws an axis, radians, besides the drawing's own noise
-_SLOPPY = math.radians(0.4)
+SLOPPY = math.radians(0.4)
 
 #: how likely an edge of a face drawn in such a view runs along an axis
 _ALONG = 0.97
@@ -94,7 +94,7 @@ def view_odds(view: NamedView, toward: float, wobble: float, angle: Floats, spre
     angle, spread  : (k,) the same of the face's edges
     weight         : (k,) how much each of them counts, sum 1
     """
-    width = math.hypot(wobble, _SLOPPY)
+    width = math.hypot(wobble, SLOPPY)
     normal = math.pi * math.exp(-0.5 * (off_axis(view, toward) / width) ** 2) / (width * math.sqrt(2.0 * math.pi))
     if normal < 1e-4:
         return -math.inf
@@ -109,7 +109,7 @@ def triad_odds(toward: float, wobble: float, angle: Floats, spread: Floats) -> f
 
     As in `view_odds`.
     """
-    width = math.hypot(wobble, _SLOPPY)
+    width = math.hypot(wobble, SLOPPY)
     most = 0.0
     for view in VIEWS:
         chance = math.exp(-0.5 * (off_axis(view, toward) / width) ** 2) if view.name == "isometric" else 0.0
@@ -120,5 +120,5 @@ def triad_odds(toward: float, wobble: float, angle: Floats, spread: Floats) -> f
 
 def _near(view: NamedView, angle: Floats, spread: Floats) -> tuple[Floats, Floats]:
     """(2, k) how near each edge runs to each axis, 1 if along it, and (k,) how sure its direction is, radians."""
-    wide = np.sqrt(spread**2 + _SLOPPY**2)
+    wide = np.sqrt(spread**2 + SLOPPY**2)
     return np.array([np.exp(-0.5 * (between(angle, axis) / wide) ** 2) for axis in view.axes]), wide

@@ -10,14 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
+from sketch2shape.lifting.depth_cue import depth_odds
 from sketch2shape.lifting.evenness import Base, base_of, with_regular_base
-from sketch2shape.lifting.named_views import FREE, SLANTS, VIEWS, off_axis, triad_odds, view_odds
+from sketch2shape.lifting.named_views import FREE, SLANTS, SLOPPY, VIEWS, NamedView, off_axis, triad_odds, view_odds
 from sketch2shape.lifting.oblique_cues import level_odds, steep_cost, usual_odds
+from sketch2shape.lifting.poses import Pose, Trials
 from sketch2shape.lifting.regularity import (
     Bearings,
     Candidates,
@@ -56,6 +57,15 @@ _SAME = 0.12
 #: solids that the poses of one face give at most, and the least part of the likelihood that makes one
 _SOLIDS, _RARE = 3, 0.03
 
+#: a slant that is known no better than this standard deviation, radians, is taken as the mean of those that it may be
+_VAGUE = 1.2 * _STEP
+
+#: ... unless that mean itself is less likely than this part of the likeliest: it lies between two peaks then
+_ONE_PEAK = 0.5
+
+#: what is drawn within this many standard deviations of an axis of a named view is taken to run along it
+_NEAR_AXIS = 3.0
+
 #: how likely an object in an orthographic view stands on none of its edges
 _AFLOAT = 0.1
 
@@ -89,19 +99,6 @@ class StretchedFace:
 
 
 @dataclass(frozen=True)
-class Pose:
-    """A guess at how the face is held: its slant, and by how much d was drawn astray, both radians."""
-
-    slant: float
-    turn: float
-
-    def turned(self, d: Floats) -> Floats:
-        """The connecting vector d without that error."""
-        c, s = np.cos(self.turn), np.sin(self.turn)
-        return np.array([c * d[0] - s * d[1], s * d[0] + c * d[1]])
-
-
-@dataclass(frozen=True)
 class ParallelReading:
     """One way to read a parallel drawing of a prism.
 
@@ -119,45 +116,11 @@ class ParallelReading:
     view: StretchedFace
 
 
-#: trials before those of `_Trials`: the face as drawn, then at the slants of the named views
-_NAMED = 1 + len(SLANTS)
+#: a named view that the drawing may be, log odds of its directions, and the pose with d on the view's axis
+_Named = tuple[NamedView, float, Pose]
 
-
-@dataclass(frozen=True)
-class _Trials:
-    """Poses tried: every slant (g,) with every turn (h,), radians, the turn outermost; `sure` (h,) weighs the turns.
-
-    Before all of them come the face as drawn and the slants of the named views, not turned. The last turn may be one
-    that makes d plumb (`has_plumb`); `spread` is what the weights of the others sum up to.
-    """
-
-    slants: Floats
-    turns: Floats
-    sure: Floats
-    spread: float = 1.0
-    has_plumb: bool = False
-
-    @cached_property
-    def stretches(self) -> Floats:
-        """(4 + h g, 1) stretch along d."""
-        free = np.concatenate([1.0 / np.cos(self.slants)] * len(self.turns))
-        return np.concatenate([[1.0], 1.0 / np.cos(SLANTS), free])[:, None]
-
-    @cached_property
-    def steps(self) -> Floats:
-        """(4 + h g,) how much further the next slant stretches, of the logarithm."""
-        free = np.tan(self.slants) * (abs(float(self.slants[1] - self.slants[0])) if len(self.slants) else 0.0)
-        return np.concatenate([np.zeros(_NAMED), *[free] * len(self.turns)])
-
-    @cached_property
-    def swung(self) -> tuple[Floats, Floats]:
-        """Cosine and sine of the turn of d, both (4 + h g, 1)."""
-        swung = np.concatenate([np.zeros(_NAMED), np.repeat(self.turns, len(self.slants))])[:, None]
-        return np.cos(swung), np.sin(swung)
-
-
-_STILL = _Trials(_SLANTS, _NO_TURN, np.ones(1))
-_FLAT = _Trials(np.zeros(0), _NO_TURN, np.ones(1))
+_STILL = Trials(_SLANTS, _NO_TURN, np.ones(1))
+_FLAT = Trials(np.zeros(0), _NO_TURN, np.ones(1))
 
 
 def _alike() -> Bools:
@@ -194,48 +157,75 @@ def read_parallel(
     long = math.hypot(*d.tolist())
     t = d / long
     vectors = relations.rows @ face
-    along, across = vectors @ t, vectors @ np.array([-t[1], t[0]])
-    trials = (_STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS, t)) if aslant else _FLAT
-    found = _stretched(along, across, trials)
-    turned = bearings(relations, found, noise)
-    angle, spread = _as_drawn(t, turned, len(relations.edges))
+    k = len(relations.edges)
+    angle = np.arctan2(vectors[:k, 1], vectors[:k, 0])
+    spread = noise * relations.weight[:k] / np.maximum(relations.drawn[:k], 1e-12)
     rests = relations.lengths**2 * np.where(relations.edges > 1, 1.0, 0.4)
-    rests *= np.where(rests_on(vectors[: len(relations.edges)], face[: relations.outer]), 1.0, 0.25)
-    rests /= rests.sum() if len(rests) else 1.0
-    view = StretchedFace(relations, along, across, t, wobble, noise, rests)
+    rests *= np.where(rests_on(vectors[:k], face[: relations.outer]), 1.0, 0.25)
+    rests /= rests.sum() if k else 1.0
+    view = StretchedFace(relations, vectors @ t, vectors @ np.array([-t[1], t[0]]), t, wobble, noise, rests)
     view = replace(
         view,
         arcs=arcs_of(arcs, t, noise) if arcs else None,
         base=base_of(face, t, noise) if pyramid else None,
     )
+    named = _named(view, angle, spread) if aslant else []
+    trials = (_STILL if wobble <= _SURE else _trials(wobble, _SLANTS, _FEW_TURNS, t)) if aslant else _FLAT
+    trials = replace(trials, named=tuple(pose for _, _, pose in named)) if named else trials
+    found = _stretched(view.along, view.across, trials)
+    turned = bearings(relations, found, noise)
+    turned = _on_axes(view, turned, named) if named else turned
     regular = _regularity(view, trials, found, turned)
     oblique = float(regular[0]) + _OBLIQUE_PRIOR + level_odds(relations, angle, spread)
-    oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread) if len(angle) else 0.0
-    oblique += usual_odds(t, wobble) - steep_cost(t, wobble, turned.angle[0, : len(spread)], spread)
+    oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread) if k else 0.0
+    oblique += usual_odds(t, wobble) - steep_cost(t, wobble, turned.angle[0, :k], spread)
     readings = [ParallelReading("oblique", oblique, None, 1.0, view)]
     if not aslant:
         return readings
-    readings += _named(view, regular[1:_NAMED] + _isotropy_odds(relations, found)[1:_NAMED], angle, spread)
-    return readings + _free(view, trials, regular[_NAMED:] + _pose_odds(view, trials, found, turned))
+    head = trials.head
+    regular = regular + depth_odds(relations, found, trials.every_slant, long, (noise, wobble))
+    even = regular[1:head] + _isotropy_odds(relations, found)[1:head]
+    for (known, odds, pose), more in zip(named, even.tolist(), strict=True):
+        readings.append(ParallelReading(known.name, odds + more, pose, 1.0, view))
+    return readings + _free(view, trials, regular[head:] + _pose_odds(view, trials, found, turned))
 
 
-def _named(view: StretchedFace, regular: Floats, angle: Floats, spread: Floats) -> list[ParallelReading]:
-    """The named views that the drawing may be, with how regular (3,) the face is at their slants."""
-    if not len(view.relations.lengths):
+def _on_axes(view: StretchedFace, turned: Bearings, named: list[_Named]) -> Bearings:
+    """The bearings with what was drawn near an axis of a named view, in the trial of that view, right along it.
+
+    How far off it was drawn counts in `view_odds`, so the right angles of the axes must not count it once more.
+    """
+    relations, angle = view.relations, turned.angle.copy()
+    toward = math.atan2(view.toward[1], view.toward[0])
+    wide = np.hypot(view.noise * relations.weight / np.maximum(relations.drawn[: len(relations.weight)], 1e-12), SLOPPY)
+    drawn = (angle[0] + toward + np.pi) % (2.0 * np.pi) - np.pi
+    for row, (view_named, _, pose) in enumerate(named, 1):
+        for axis in view_named.axes:
+            aside = axis - toward - pose.turn
+            true = math.atan2(math.sin(aside), math.cos(aside) / math.cos(pose.slant))
+            angle[row, between(drawn, axis) < _NEAR_AXIS * wide] = true
+    return replace(turned, angle=angle)
+
+
+def _named(view: StretchedFace, angle: Floats, spread: Floats) -> list[_Named]:
+    """The named views that the drawing may be, the log odds of its directions, and the pose with d on the view's axis.
+
+    angle, spread : (k,) directions of the edges as drawn and their standard deviations, radians
+    """
+    if not len(angle):
         return []
     weight = view.relations.lengths**2 / (view.relations.lengths**2).sum()
     toward = math.atan2(view.toward[1], view.toward[0])
-    readings = []
+    found: list[_Named] = []
     for named in VIEWS:
         odds = view_odds(named, toward, view.wobble, angle, spread, weight)
         if odds > -math.inf:
             turn = min(max(off_axis(named, toward), -2.0 * view.wobble), 2.0 * view.wobble)
-            pose = Pose(float(SLANTS[named.slant]), turn)
-            readings.append(ParallelReading(named.name, odds + float(regular[named.slant]), pose, 1.0, view))
-    return readings
+            found.append((named, odds, Pose(float(SLANTS[named.slant]), turn)))
+    return found
 
 
-def _free(view: StretchedFace, trials: _Trials, odds: Floats) -> list[ParallelReading]:
+def _free(view: StretchedFace, trials: Trials, odds: Floats) -> list[ParallelReading]:
     """Any axonometric view: the solids, a few at most, that the poses with these log odds give."""
     top = float(odds.max())
     chance = np.exp(odds - top).reshape(-1, len(_SLANTS))
@@ -248,8 +238,7 @@ def _free(view: StretchedFace, trials: _Trials, odds: Floats) -> list[ParallelRe
         if near[middle] < _RARE * whole:
             break
         window = np.flatnonzero(_ALIKE[middle])
-        turn, slant = divmod(int(chance[:, window].argmax()), len(window))
-        found.append((float(near[middle]), Pose(float(_SLANTS[window[slant]]), float(trials.turns[turn]))))
+        found.append((float(near[middle]), _likeliest(chance[:, window], _SLANTS[window], trials.turns)))
         sums = np.where(_ALIKE[middle], 0.0, sums)
         chance = np.where(_ALIKE[middle], 0.0, chance)
     told = sum(part for part, _ in found)
@@ -258,14 +247,30 @@ def _free(view: StretchedFace, trials: _Trials, odds: Floats) -> list[ParallelRe
     return [ParallelReading("axonometric", base + math.log(part), pose, told / whole, view) for part, pose in found]
 
 
+def _likeliest(chance: Floats, slants: Floats, turns: Floats) -> Pose:
+    """The pose of a solid: the likeliest where there is a sharp peak or two, else the mean, off by less on average.
+
+    chance : (h, g) of each turn (h,) with each slant (g,), radians
+    """
+    part = chance.sum(axis=0) / chance.sum()
+    mean = float(part @ slants)
+    middle = float(part[int(np.abs(slants - mean).argmin())])
+    if math.sqrt(float(part @ (slants - mean) ** 2)) > _VAGUE and middle > _ONE_PEAK * float(part.max()):
+        return Pose(mean, float(chance.sum(axis=1) @ turns / chance.sum()), vague=True)
+    turn, slant = divmod(int(chance.argmax()), len(slants))
+    return Pose(float(slants[slant]), float(turns[turn]))
+
+
 def refined_pose(view: StretchedFace, pose: Pose) -> Pose:
-    """The pose of an axonometric reading to a hundredth of a degree."""
+    """The pose of an axonometric reading to a hundredth of a degree, unless it is vague."""
+    if pose.vague:
+        return pose
     near = np.clip(pose.slant + _STEP * np.linspace(-1.0, 1.0, 17), _SLANTS[0], _SLANTS[-1])
     trials = _trials(view.wobble, near, _TURNS if view.wobble > _QUITE_SURE else _NO_TURN, view.toward)
     found = _stretched(view.along, view.across, trials)
     turned = bearings(view.relations, found, view.noise)
     regular = _regularity(view, trials, found, turned)
-    odds = regular[_NAMED:] + _pose_odds(view, trials, found, turned)
+    odds = regular[trials.head :] + _pose_odds(view, trials, found, turned)
     odds = odds.reshape(len(trials.turns), len(near))
     turn, slant = divmod(int(odds.argmax()), len(near))
     return Pose(_peak(near, odds[turn], slant), _peak(trials.turns, odds[:, slant], turn))
@@ -280,7 +285,7 @@ def _peak(at: Floats, odds: Floats, best: int) -> float:
     return float(at[best] + (0.5 * (left - right) / bend * (at[best + 1] - at[best]) if bend < 0.0 else 0.0))
 
 
-def _regularity(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
+def _regularity(view: StretchedFace, trials: Trials, found: Candidates, turned: Bearings) -> Floats:
     """(4 + h g,) log odds of how regular the face is in each pose: its edges, its arcs, itself as a base."""
     odds = score(view.relations, found, turned, view.noise)
     if view.base is not None:
@@ -290,21 +295,21 @@ def _regularity(view: StretchedFace, trials: _Trials, found: Candidates, turned:
     return odds
 
 
-def _trials(wobble: float, slants: Floats, turns: Floats, toward: Floats) -> _Trials:
+def _trials(wobble: float, slants: Floats, turns: Floats, toward: Floats) -> Trials:
     """Trials with these turns, in wobbles; if d may be plumb, with the one that makes it so, as likely as that is."""
     sure = np.exp(-0.5 * turns**2)
     spread = float(sure.sum())
     plumb = plumb_turn(toward)
     if len(turns) == 1 or not is_upright(toward) or abs(plumb) > 2.0 * wobble:
-        return _Trials(slants, wobble * turns, sure, spread)
+        return Trials(slants, wobble * turns, sure, spread)
     standing = spread * STANDING / (1.0 - STANDING) * math.pi * plumb_density(plumb, wobble)
-    return _Trials(slants, np.append(wobble * turns, plumb), np.append(sure, standing), spread, has_plumb=True)
+    return Trials(slants, np.append(wobble * turns, plumb), np.append(sure, standing), spread, has_plumb=True)
 
 
-def _stretched(along: Floats, across: Floats, trials: _Trials) -> Candidates:
+def _stretched(along: Floats, across: Floats, trials: Trials) -> Candidates:
     """The face in each pose, by the components of its relations' vectors along and across d as drawn."""
     stretches, steps = trials.stretches, trials.steps
-    if len(trials.turns) == 1:
+    if len(trials.turns) == 1 and not trials.named:
         whole = across[None].repeat(len(stretches), axis=0)
         return Candidates(stretches * along, whole, stretches[:, 0], stretches[:, 0], steps)
     c, s = trials.swung
@@ -312,21 +317,15 @@ def _stretched(along: Floats, across: Floats, trials: _Trials) -> Candidates:
     return Candidates(x, y, stretches[:, 0], stretches[:, 0], steps)
 
 
-def _pose_odds(view: StretchedFace, trials: _Trials, found: Candidates, turned: Bearings) -> Floats:
+def _pose_odds(view: StretchedFace, trials: Trials, found: Candidates, turned: Bearings) -> Floats:
     """(h g,) log odds of the poses, whatever shape they give the face."""
-    odds = _isotropy_odds(view.relations, found)[_NAMED:]
+    odds = _isotropy_odds(view.relations, found)[trials.head :]
     usual = view_prior(trials.slants, view.toward) - usual_view(view.toward)
     odds = odds + np.add.outer(np.log(trials.sure), usual).ravel()
     if is_upright(view.toward):
         return odds + (math.log(1.0 - STANDING) if trials.has_plumb else standing_odds(view.toward, view.wobble))
-    upright: Floats = odds + _gravity_odds(view, trials, turned)[_NAMED:]
+    upright: Floats = odds + _gravity_odds(view, trials, turned)[trials.head :]
     return upright
-
-
-def _as_drawn(toward: Floats, turned: Bearings, k: int) -> tuple[Floats, Floats]:
-    """(k,) directions of the edges as drawn, in the picture, and their standard deviations."""
-    angle = turned.angle[0, :k] + math.atan2(toward[1], toward[0])
-    return (angle + np.pi) % (2.0 * np.pi) - np.pi, turned.spread[0, :k]
 
 
 def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
@@ -341,7 +340,7 @@ def _isotropy_odds(relations: Relations, found: Candidates) -> Floats:
     return odds
 
 
-def _gravity_odds(view: StretchedFace, trials: _Trials, turned: Bearings) -> Floats:
+def _gravity_odds(view: StretchedFace, trials: Trials, turned: Bearings) -> Floats:
     """Paper is held upright: what is drawn vertical is vertical, and the base it stands on is at right angles to it."""
     k = len(view.rests)
     if k == 0:

@@ -41,7 +41,7 @@ _ALIKE = 0.05
 _UNEVEN = 0.8
 
 #: standard deviation of a place between two guesses of a grid, part of its step
-_BETWEEN = 0.3
+BETWEEN = 0.3
 
 #: the height of a normal density of width one
 _PEAK = 1.0 / np.sqrt(2.0 * np.pi)
@@ -207,7 +207,7 @@ def bearings(relations: Relations, found: Candidates, noise: float) -> Bearings:
     x, y = found.x[:, :w], found.y[:, :w]
     reach = noise * relations.weight * relations.drawn[:w]
     square = np.maximum(x * x + y * y, 1e-24)
-    grid = _BETWEEN * found.step[:, None] * x * y
+    grid = BETWEEN * found.step[:, None] * x * y
     return Bearings(np.arctan2(y, x), np.sqrt((found.area[:, None] * reach) ** 2 + grid**2) / square)
 
 
@@ -294,7 +294,7 @@ def _length_odds(relations: Relations, found: Candidates, noise: float) -> Float
         return np.zeros(len(found.x))
     w = len(relations.weight)
     square = np.maximum(found.x[:, w:] ** 2 + found.y[:, w:] ** 2, 1e-24)
-    spread = (2.0 * noise**2) * found.stretch[:, None] ** 2 / square + (_BETWEEN * found.step[:, None]) ** 2
+    spread = (2.0 * noise**2) * found.stretch[:, None] ** 2 / square + (BETWEEN * found.step[:, None]) ** 2
     long = 0.5 * np.log(square)
     odds = log_odds(long[:, i] - long[:, j], np.sqrt(spread[:, i] + spread[:, j] + 0.005**2), _ALIKE, 3.0)
     total: Floats = odds.sum(axis=1) / (square.shape[1] - 1.0)

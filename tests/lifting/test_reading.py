@@ -1,11 +1,12 @@
 import numpy as np
 import pytest
 
-from sketch2shape.lifting.reading import read_parallel, refined_pose
+from sketch2shape.lifting.reading import _likeliest, read_parallel, refined_pose
 from sketch2shape.lifting.regularity import find_relations
 
 ELL = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3.0]]) * 60
 ARROW = 2 * np.array([[0, 30], [60, 30], [60, 0], [110, 50], [60, 100], [60, 70], [0, 70.0]])
+CHANNEL = 90 * np.array([[0, 0], [2, 0], [2, 1.6], [1.4, 1.6], [1.4, 0.6], [0.6, 0.6], [0.6, 1.6], [0, 1.6]])
 HEPTAGON = 90 * np.array([[np.cos(t), np.sin(t)] for t in np.deg2rad([4, 61, 97, 160, 205, 262, 331])])
 
 
@@ -80,3 +81,26 @@ def test_receding_edges_at_a_usual_angle_speak_for_an_oblique_drawing():
         a = np.deg2rad(degrees)
         odds.append(against(read(triangle, 80 * np.array([np.cos(a), -np.sin(a)]))))
     assert odds[0] > odds[1] + 1.0
+
+
+def test_a_shaky_dimetric_drawing_is_still_read_as_one():
+    """Each axis is drawn a little astray: that counts once, not in the right angles between the axes again."""
+    face, d, _ = seen(CHANNEL, 20.705, 19.471, 150.0)
+    right = 0
+    for off in np.random.default_rng(3).normal(0.0, 4.0, (40, *face.shape)):
+        readings = read(face + off, d + 2.0 * off.mean(axis=0), noise=4.0)
+        right += max(readings.values(), key=lambda r: r.odds).name == "dimetric"
+    assert right >= 36
+
+
+def test_a_vague_pose_is_the_mean_of_those_it_may_be():
+    slants, still = np.deg2rad([20.0, 22.0, 24.0, 26.0]), np.zeros(1)
+    sharp, vague, two = (
+        _likeliest(np.array([chance]), slants, still)
+        for chance in ([0.0, 1.0, 0.01, 0.0], [0.6, 1.0, 0.9, 0.5], [1.0, 0.1, 0.1, 0.9])
+    )
+    assert np.rad2deg(sharp.slant) == pytest.approx(22.0)
+    assert np.rad2deg(vague.slant) == pytest.approx((12.0 + 22.0 + 21.6 + 13.0) / 3.0)
+    assert np.rad2deg(two.slant) == pytest.approx(20.0)
+    assert [sharp.vague, vague.vague, two.vague] == [False, True, False]
+    assert refined_pose(None, vague) is vague
