@@ -34,6 +34,12 @@ NEAR = 0.08
 """Farthest that a vertex may be from its true place, as a fraction of the drawing's diagonal."""
 LEAST_STROKES = 4
 """Sketches of no more strokes are left out where computing is measured: the page asks for few of them."""
+KEPT = 10.0
+"""Milliseconds up to which a solid was there already: the new stroke is one of its edges."""
+BETWEEN = 0.2
+"""Seconds between two strokes at least."""
+MOST_MEASURED = 240
+"""Sketches, evenly chosen, whose computing is measured."""
 STEPS = 14
 """Places along a stroke that the pointer is told."""
 
@@ -131,6 +137,16 @@ def settled(page: Chrome, seconds: float = 60.0) -> None:
         time.sleep(0.05)
 
 
+def looked_at(page: Chrome, seconds: float = 60.0) -> None:
+    """Let the hand go to where the next stroke begins, until a solid of these strokes is there, or none is."""
+    end = time.monotonic() + seconds
+    time.sleep(BETWEEN)
+    while page.execute_script("return timings.live().searching()"):
+        if time.monotonic() > end:
+            raise TimeoutError("no solid came")
+        time.sleep(0.05)
+
+
 def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
     """Are the vertices those of the solid that was meant?"""
     if state["guess"] or len(state["objects"]) != 1:
@@ -159,8 +175,9 @@ def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator, 
     paths, truth = strokes_of(name, side)
     for path in paths:
         stroke(page, by_hand(path, screen.error, rng) + (x + 6, y + 6), screen.touch)
-        settled(page)  # a hand goes to where the next stroke begins, and looks
+        looked_at(page)
         sketches.append(json.loads(page.execute_script("return JSON.stringify(timings.state().strokes)")))
+    settled(page)
     known = "return JSON.stringify({...timings.state(), shape: timings.facts()[0]?.shape})"
     state = json.loads(page.execute_script(known))
     return is_right(name, state, np.array(truth) + 6)
@@ -190,10 +207,23 @@ def tell_computing(sketches: list[Any]) -> None:
     warm_up()
     whole = ten_sided()
     computing(whole)
-    found = [computing(s) for s in sketches if len(s) > LEAST_STROKES]
+    some = [s for s in sketches if len(s) > LEAST_STROKES]
+    found = [computing(s) for s in some[:: 1 + len(some) // MOST_MEASURED]]
     spent = [ms for ms, some in found if some]
     print(f"\nComputing of a search that gives a solid: median {np.median(spent):.0f} ms, nine in ten ", end="")
     print(f"{np.percentile(spent, 90):.0f} ms ({len(spent)} sketches); of 30 strokes {computing(whole, 5)[0]:.0f} ms.")
+
+
+def tell_waits(waits: list[float]) -> None:
+    """Print how long solids take, milliseconds from the end of a stroke."""
+    median, most = np.percentile(waits, [50, 90])
+    searched = [ms for ms in waits if ms > KEPT]
+    print(
+        f"\nFrom the end of a stroke until a solid of all strokes is there: median {median:.0f} ms, nine in ten ",
+        end="",
+    )
+    print(f"{most:.0f} ms ({len(waits)} strokes); where it was not there already ({len(searched)} strokes): ", end="")
+    print(f"median {np.median(searched):.0f} ms.")
 
 
 def main(each: int) -> None:
@@ -201,7 +231,6 @@ def main(each: int) -> None:
     print("| solid | " + " | ".join(s.name for s in SCREENS) + " |\n|---|" + "---|" * len(SCREENS))
     table: dict[str, list[int]] = {name: [] for name in names}
     waits: list[float] = []
-    searches: list[float] = []
     sketches: list[Any] = []
     with start_app() as address, start_browser() as page:
         for screen in SCREENS:
@@ -214,15 +243,11 @@ def main(each: int) -> None:
                 rng = np.random.default_rng([each, len(name), screen.width])
                 table[name].append(sum(draw_one(page, name, screen, rng, sketches) for _ in range(each)))
             waits += page.execute_script("return window.timings.live().waits")
-            searches += page.execute_script("return window.timings.live().searches")
     for name, right in table.items():
         print(f"| {name} | " + " | ".join(f"{r} of {each}" for r in right) + " |")
     sums = [sum(column) for column in zip(*table.values(), strict=True)]
     print("| all | " + " | ".join(f"{s} of {each * len(names)}" for s in sums) + " |")
-    for what, times in (("a solid of all strokes stands there", waits), ("the whole search is done", searches)):
-        median, most = np.percentile(times, [50, 90])
-        print(f"\nFrom the end of a stroke until {what}: median {median:.0f} ms, nine in ten {most:.0f} ms", end="")
-        print(f" ({len(times)} strokes).")
+    tell_waits(waits)
     tell_computing(sketches)
 
 

@@ -12,16 +12,20 @@ const pause = ms => new Promise(done => setTimeout(done, ms));
 export class Live {
   /* on: {ask(strokes, signal): gives what was found, show(found, isNewest()), none(strokes): too few of them, failed(error),
      busy(is)} */
-  constructor(on) { Object.assign(this, { on, turn: 0, pending: 0, took: 0, waits: [], searches: [] }); }
+  constructor(on) { Object.assign(this, { on, turn: 0, pending: 0, took: 0, waits: [], fits: false }); }
 
   get busy() { return this.pending > 0; }
 
-  /* the strokes are these now; `fits`: the solid in view is one of them already. waits and searches, ms, are for those who
-     measure: until a solid of these strokes stood there, and until all was known of it */
+  /* is a solid awaited that is not there already? */
+  searching() { return this.busy && !this.fits; }
+
+  /* the strokes are these now; `fits`: the solid in view is one of them already. waits, ms, are for those who measure: until
+     a solid of these strokes stood there */
   async follow(strokes, fits = false) {
     const begin = performance.now(), turn = ++this.turn, isNewest = () => turn === this.turn;
     this.flight?.abort();
     this.flight = null;
+    this.fits = fits;
     if (!mayShow(strokes)) { this.on.none(strokes); return; }
     if (fits) this.waits.push(performance.now() - begin);
     this.pending++;
@@ -36,7 +40,6 @@ export class Live {
       if (!isNewest()) return;
       await this.on.show(found, isNewest);
       if (!isNewest()) return;
-      this.searches.push(performance.now() - begin);
       if (!fits && found.objects.length) this.waits.push(performance.now() - begin);
     } catch (error) {
       if (isNewest()) this.on.failed(error);

@@ -41,11 +41,11 @@ test("strokes that the solid has already are searched once the pen rests", async
   const { live, asked, shown } = setting();
   live.follow(lines(6), true);
   await settle(50);
-  assert.deepEqual([asked.length, live.waits.length, live.busy], [0, 1, true]);
+  assert.deepEqual([asked.length, live.waits.length, live.busy, live.searching()], [0, 1, true, false]);
   await settle(450);
   asked[0].answer();
   await settle(1);
-  assert.deepEqual([shown, live.searches.length], [[6], 1]);
+  assert.deepEqual([shown, live.waits.length, live.busy], [[6], 1, false]);
 });
 
 test("what goes wrong is told, and a long wait shows a sign", async () => {
