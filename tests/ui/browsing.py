@@ -95,14 +95,19 @@ def drag(page: Chrome, element: Any, dx: int, dy: int) -> None:
     ).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
 
 
-def draw_lines(page: Chrome, lines: Iterable[tuple[Place, Place]]) -> None:
-    """Draw lines on a new sheet, each from one place to another, pixels from its middle."""
-    page.find_element(By.ID, "draw").click()
+def draw_line(page: Chrome, start: Place, end: Place) -> None:
+    """Draw a line on the sheet, pixels from its middle."""
     pad = page.find_element(By.ID, "pad")
-    for (a, b), (c, d) in lines:
-        ActionChains(page, duration=10).move_to_element_with_offset(
-            pad, a, b
-        ).click_and_hold().move_to_element_with_offset(pad, c, d).release().perform()
+    ActionChains(page, duration=10).move_to_element_with_offset(
+        pad, *start
+    ).click_and_hold().move_to_element_with_offset(pad, *end).release().perform()
+
+
+def draw_lines(page: Chrome, lines: Iterable[tuple[Place, Place]]) -> None:
+    """Draw lines on a new sheet."""
+    page.find_element(By.ID, "draw").click()
+    for start, end in lines:
+        draw_line(page, start, end)
 
 
 def draw_box(page: Chrome) -> None:

@@ -10,8 +10,11 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 from .browsing import (
+    FRONT,
+    SHIFT,
     draw_beginning,
     draw_box,
+    draw_line,
     message,
     needs_browser,
     read,
@@ -29,6 +32,19 @@ def test_a_solid_stands_up_while_a_box_is_drawn(page: Chrome) -> None:
     assert strokes(page) == 12
     page.find_element(By.ID, "adjust").click()
     assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+
+
+def test_a_stroke_along_an_edge_of_the_solid_keeps_it_and_another_does_not(page: Chrome) -> None:
+    draw_beginning(page)
+    wait(lambda: "begins to stand up" in message(page))
+    waits = "return timings.live().waits.length"
+    before, shown = page.execute_script(waits), volume(page)
+    (x, y), (dx, dy) = FRONT[0], SHIFT
+    draw_line(page, (x, y), (x + dx, y + dy))
+    assert (page.execute_script(waits), volume(page)) == (before + 1, shown)
+    draw_line(page, (x + 20, y + 150), (x + 400, y + 40))
+    assert page.execute_script(waits) == before + 1
+    wait(lambda: not page.execute_script("return timings.busy()"))
 
 
 def test_clear_is_undone_and_a_reload_keeps_the_drawing(page: Chrome) -> None:
