@@ -26,7 +26,7 @@ from server import start_app  # noqa: E402
 SCREENS = {
     "desktop": Screen("", 1366, 768, False, 2.0),
     "tablet": Screen("", 820, 1180, True, 2.0),
-    "phone": Screen("", 390, 844, True, 2.0),
+    "phone": Screen("", 360, 640, True, 2.0),
 }
 COLOURS = 192
 """Colours of a screenshot: enough for flat surfaces and small files."""
@@ -67,7 +67,7 @@ def draw(page: Chrome, screen: Screen, name: str, count: int) -> None:
 
 
 def drawing(page: Chrome, screen: Screen) -> None:
-    draw(page, screen, "L", 14)
+    draw(page, screen, "L", 9)
 
 
 def drawn(page: Chrome, screen: Screen) -> None:
@@ -82,7 +82,7 @@ def corners(page: Chrome, screen: Screen) -> None:
 
 def found(page: Chrome, screen: Screen) -> None:
     start(page, screen)
-    click(page, "#gallery li:nth-child(2) button")
+    click(page, "#gallery li:nth-child(11) button")
     until(page, "Found the object")
 
 
@@ -92,8 +92,21 @@ def take(page: Chrome, screen: Screen) -> None:
     time.sleep(0.5)
 
 
+def cut(page: Chrome, screen: Screen) -> None:
+    """Cut open and given a height; where the page is long, the solid in view."""
+    draw(page, screen, "cylinder", 99)
+    page.execute_script(
+        "const f = document.getElementById('size-height'); f.value = '40'; f.dispatchEvent(new Event('change'));"
+    )
+    time.sleep(1.5)
+    click(page, "#cut")
+    page.execute_script("document.getElementById('solid-stage').scrollIntoView()")
+    time.sleep(0.6)
+
+
 STATES: dict[str, Callable[[Chrome, Screen], None]] = {
-    "start": start, "drawing": drawing, "drawn": drawn, "corners": corners, "found": found, "take": take,
+    "start": start, "drawing": drawing, "drawn": drawn, "corners": corners, "cut": cut, "found": found,
+    "take": take,
 }  # fmt: skip
 
 

@@ -125,12 +125,16 @@ export class Stage {
   }
 
   painted() {
-    const box = this.view.canvas.getBoundingClientRect();
+    const box = this.view.canvas.getBoundingClientRect(), taken = [];
     for (const e of $("dimensions").children) {
       const { p, q, centre, out } = this.edgeFor(e.dataset.size), length = Math.hypot(...out) || 1, d = out.map(c => c / length);
       const at = [centre[0] + 34 * d[0], centre[1] + 24 * d[1]];
-      e.style.left = `${Math.max(44, Math.min(box.width - 44, at[0]))}px`;
-      e.style.top = `${Math.max(18, Math.min(box.height - 66, at[1]))}px`;
+      const place = [Math.max(44, Math.min(box.width - 44, at[0])), Math.max(18, Math.min(box.height - 66, at[1]))];
+      // of a solid that looks small the labels stand one below the other
+      for (const other of taken) if (Math.abs(other[0] - place[0]) < e.offsetWidth && Math.abs(other[1] - place[1]) < e.offsetHeight) place[1] = other[1] + e.offsetHeight + 2;
+      taken.push(place);
+      e.style.left = `${place[0]}px`;
+      e.style.top = `${place[1]}px`;
       const pen = this.view.context, s = this.view.scale, line = [p, q].map(c => [(c[0] + 12 * d[0]) * s, (c[1] + 10 * d[1]) * s]);
       Object.assign(pen, { strokeStyle: this.view.colours.hidden, lineWidth: s });
       pen.setLineDash([]);
