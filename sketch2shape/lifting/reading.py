@@ -183,7 +183,8 @@ def read_parallel(
     if not aslant:
         return readings
     head = trials.head
-    regular = regular + depth_odds(relations, found, trials.every_slant, long, (noise, wobble))
+    if not pyramid:  # the height of one has nothing to do with its sides
+        regular = regular + depth_odds(relations, found, trials.every_slant, long, (noise, wobble))
     even = regular[1:head] + _isotropy_odds(relations, found)[1:head]
     for (known, odds, pose), more in zip(named, even.tolist(), strict=True):
         readings.append(ParallelReading(known.name, odds + more, pose, 1.0, view))

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from sketch2shape.lifting import reading
 from sketch2shape.lifting.reading import _likeliest, read_parallel, refined_pose
 from sketch2shape.lifting.regularity import find_relations
 
@@ -104,3 +105,16 @@ def test_a_vague_pose_is_the_mean_of_those_it_may_be():
     assert np.rad2deg(two.slant) == pytest.approx(20.0)
     assert [sharp.vague, vague.vague, two.vague] == [False, True, False]
     assert refined_pose(None, vague) is vague
+
+
+def test_the_height_of_a_pyramid_is_not_measured_by_its_sides(monkeypatch):
+    """A prism's depth is evidence, a pyramid's height is none."""
+    asked = []
+    told = reading.depth_odds
+    monkeypatch.setattr(reading, "depth_odds", lambda *args: asked.append(1) or told(*args))
+    face, d, _ = seen(100.0 * np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]]), 30.0, 25.0)
+    relations = find_relations(face, [4], face, 1.0)
+    for pyramid, times in ((True, 0), (False, 1)):
+        asked.clear()
+        read_parallel(face, d, relations, 1.0, 0.01, pyramid=pyramid)
+        assert len(asked) == times
