@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.lifting import reading
+import sketch2shape.lifting.reading as stage
 from sketch2shape.lifting.reading import _likeliest, read_parallel, refined_pose
 from sketch2shape.lifting.regularity import find_relations
 
@@ -110,8 +110,8 @@ def test_a_vague_pose_is_the_mean_of_those_it_may_be():
 def test_the_height_of_a_pyramid_is_not_measured_by_its_sides(monkeypatch):
     """A prism's depth is evidence, a pyramid's height is none."""
     asked = []
-    told = reading.depth_odds
-    monkeypatch.setattr(reading, "depth_odds", lambda *args: asked.append(1) or told(*args))
+    told = stage.depth_odds
+    monkeypatch.setattr(stage, "depth_odds", lambda *args: asked.append(1) or told(*args))
     face, d, _ = seen(100.0 * np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]]), 30.0, 25.0)
     relations = find_relations(face, [4], face, 1.0)
     for pyramid, times in ((True, 0), (False, 1)):
