@@ -1,58 +1,54 @@
-"""Weights of the witnesses of sweeps; see `sweep_calibration`.
-
-They were fitted to the answers that the search gave; `scripts/fit_sweep_confidence.py` now also asks for those that it
-keeps back, and a run of it writes this module anew.
-"""
+"""Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`; see `sweep_calibration`."""
 
 CENTRE = (
-    0.0492,  # unexplained
-    0.0047,  # attached
-    0.0113,  # closed
-    0.5302,  # missing
-    0.8954,  # noise
-    4.0399,  # gap
-    1.8946,  # numbers
-    0.0818,  # unseen
-    3.6447,  # shallow
-    5.1796,  # small
-    0.2917,  # pointed
-    0.0833,  # inferred
-    0.6537,  # standing
-    0.2917,  # holes
-    0.3333,  # lone
+    0.1865,  # unexplained
+    0.0242,  # attached
+    0.0487,  # closed
+    0.5145,  # missing
+    1.2208,  # noise
+    3.9492,  # gap
+    2.1055,  # numbers
+    0.0467,  # unseen
+    2.82,  # shallow
+    5.0159,  # small
+    0.3225,  # pointed
+    0.0725,  # inferred
+    1.2217,  # standing
+    0.5254,  # holes
+    0.221,  # lone
 )
 SPREAD = (
-    0.1605,  # unexplained
-    0.0174,  # attached
-    0.0729,  # closed
-    1.2945,  # missing
-    0.7806,  # noise
-    1.3755,  # gap
-    0.4616,  # numbers
-    0.1349,  # unseen
-    0.7621,  # shallow
-    0.4682,  # small
-    0.4545,  # pointed
-    0.2764,  # inferred
-    1.8043,  # standing
-    0.5385,  # holes
-    0.4714,  # lone
+    0.291,  # unexplained
+    0.0854,  # attached
+    0.1246,  # closed
+    1.1431,  # missing
+    0.9778,  # noise
+    1.4818,  # gap
+    0.5984,  # numbers
+    0.1014,  # unseen
+    1.1237,  # shallow
+    0.4549,  # small
+    0.4674,  # pointed
+    0.2593,  # inferred
+    2.4105,  # standing
+    1.2111,  # holes
+    0.4149,  # lone
 )
 WEIGHT = (
-    -0.2062,  # unexplained
-    -0.1597,  # attached
-    0.0,  # closed
-    -0.6327,  # missing
-    -0.374,  # noise
-    0.2462,  # gap
-    -0.4395,  # numbers
-    -0.0514,  # unseen
-    0.4873,  # shallow
-    0.7925,  # small
-    0.2177,  # pointed
+    -1.1785,  # unexplained
+    -1.1767,  # attached
+    -0.5405,  # closed
+    -0.2077,  # missing
+    -1.5127,  # noise
+    0.177,  # gap
+    -0.5185,  # numbers
+    0.0,  # unseen
+    0.5203,  # shallow
+    0.6124,  # small
+    0.3527,  # pointed
     0.0,  # inferred
-    -0.9,  # standing
-    0.106,  # holes
-    -0.2906,  # lone
+    -0.8255,  # standing
+    0.4519,  # holes
+    -0.0215,  # lone
 )
-BIAS = 1.2738
+BIAS = -0.7678

@@ -87,6 +87,10 @@ def _numbers(sweep: Sweep) -> tuple[Floats, Floats]:
     if way.centre is None:
         parts.append(way.shift)
         scale.append(np.ones(2))
+        if way.slope is not None:
+            reach = 0.5 * float(np.hypot(*np.ptp(sweep.rings[0].line, axis=0))) * float(np.hypot(*way.shift))
+            parts.insert(-1, way.slope)
+            scale.insert(-1, np.full(2, 1.0 / max(reach, 1.0)))
     else:
         long = float(np.hypot(*(way.centre - sweep.rings[0].line).T).mean())
         parts.append(np.array([*way.centre, *([] if way.is_pointed else [way.scale])]))
@@ -118,6 +122,8 @@ def _with(sweep: Sweep, numbers: Floats) -> Sweep:
 
 def _way(way: Way, numbers: Floats) -> tuple[Way, Floats]:
     """The way told by the last numbers, and the numbers before."""
+    if way.centre is None and way.slope is not None:
+        return replace(way, shift=numbers[-2:].copy(), slope=numbers[-4:-2].copy()), numbers[:-4]
     if way.centre is None:
         return Way(numbers[-2:].copy()), numbers[:-2]
     if way.is_pointed:

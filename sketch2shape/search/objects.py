@@ -30,6 +30,10 @@ rounds corners."""
 LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 """Bends of an arc at least, angle of one from which it is a corner, and of all together, radians."""
 
+LEFT = 10.0
+"""Nats of foreign ink from which on a straight object may have a round hole."""
+LACKING = 8.0
+"""Nats of missing lines that a figure of few lines may lack."""
 EVEN_ODDS = 0.5
 """Confidence below which an answer with arcs or a point is likelier wrong than right, and not given."""
 
@@ -66,23 +70,36 @@ def find_one(group: Group) -> AnyFound | None:
         return None
     bowed = bowed_part(seen.skeleton, seen.view.size)
     swept = find_sweep(seen) if bowed >= BOWED else None
-    if swept is not None and _is_proper(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
+    if swept is not None and _is_given(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
         return swept
     straight = find(seen)
-    doubted = straight is None or straight.confidence < TRUSTED
+    doubted = straight is None or straight.confidence < TRUSTED or _leaves_some(straight)
     if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
-        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED)
+        hopeless = straight is None or straight.confidence < REFUSE_BELOW
+        below = np.inf if straight is None or straight.energy is None else straight.energy.total
+        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, below=below)
     return _better(straight, swept)
+
+
+def _leaves_some(straight: Found) -> bool:
+    """Whether there is ink left that may be a hole."""
+    return straight.energy is not None and straight.energy.foreign > LEFT
 
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
     """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen."""
-    if swept is None or not _is_proper(swept) or swept.confidence < EVEN_ODDS:
+    if swept is None or not _is_given(swept):
         return straight
     if straight is None or straight.energy is None:
         return swept
     gap = straight.energy.total - swept.nats
     return swept.against(gap) if gap > 0 else straight
+
+
+def _is_given(swept: FoundSweep) -> bool:
+    """Whether it is an answer: an ellipse alone is the base of a cone whose sides are lacking, and of anything."""
+    bare = swept.is_lone and swept.energy.missing > LACKING
+    return _is_proper(swept) and swept.confidence >= EVEN_ODDS and not bare
 
 
 def _is_proper(swept: FoundSweep) -> bool:

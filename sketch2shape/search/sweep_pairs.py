@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from sketch2shape.evidence import View
 from sketch2shape.ink import Group
@@ -31,12 +30,17 @@ from sketch2shape.sweeps import (
     distinct_directions,
     ellipses,
     enclosed_loops,
+    in_one_frame,
     pyramids,
     settled,
+    settled_wire,
     shifts,
     ways_along,
     ways_towards,
 )
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 MOST_OUTLINES = 14
 """Outlines that are probed."""
@@ -44,6 +48,16 @@ TAPERS = 2
 """Ways that taper which are tried with one outline."""
 ENOUGH = 0.8
 """Value of a pair from which on it may be the right one: hidden lines are not counted as explained."""
+MOST_HINTS = 2
+"""Holes whose ellipses tell the shape of an outline's arcs, the largest."""
+LEAST_REACH, REACH = 4.0, 0.012
+"""Pixels, and fraction of the drawing's size, from a line from which ink is that of another."""
+WIDELY, CLOSELY = (4.0, 0.5), (2.0, 0.3)
+"""Pixels, and pens, within which moved ink lies on ink: by a shift roughly known, and by one well known."""
+WHOLE = 0.9
+"""Part of an outline's area from which on a line told more closely is still that outline."""
+WITHIN = 2.0
+"""Pixels by which a hole lies inside an outline at least."""
 MOST_PRICED = 10
 """Pairs of a batch, those that explain most at a glance."""
 WORSE = 0.2
@@ -81,6 +95,11 @@ class Scene:
         """Pixels within which a line may lie on the border of sight."""
         return max(3.0, 0.008 * self.size)
 
+    @property
+    def reach(self) -> float:
+        """Pixels from a line within which ink may be its own."""
+        return max(LEAST_REACH, REACH * self.size)
+
     @cached_property
     def solid(self) -> NDArray[np.float32] | None:
         """(h, w) pixels to the nearest solid line, where there are dashes."""
@@ -92,6 +111,8 @@ class Scene:
     @cached_property
     def tree(self) -> cKDTree:
         """Of the skeleton's pixels."""
+        from scipy.spatial import cKDTree  # slow to load, and not needed for straight drawings
+
         return cKDTree(self.skeleton.points)
 
     @cached_property
@@ -148,6 +169,7 @@ class Pair(NamedTuple):
     way      : to the back face
     is_near  : whether the outline is that of the nearer face
     is_whole : whether all of the outline has an image on ink, hidden or not
+    holes    : closed lines inside the outline, if it is whole
     value    : see `Cells.value`
     """
 
@@ -155,7 +177,14 @@ class Pair(NamedTuple):
     way: Way
     is_near: bool = True
     is_whole: bool = False
+    holes: tuple[Loop, ...] = ()
     value: float = 0.0
+
+    def valued(self, cells: Cells) -> Pair:
+        """With its value."""
+        if self.is_whole:
+            return self._replace(value=cells.value_of_wire((self.loop, *self.holes), self.way))
+        return self._replace(value=cells.value(self.loop, self.way, is_near=self.is_near))
 
     @property
     def places(self) -> Floats:
@@ -164,18 +193,21 @@ class Pair(NamedTuple):
         return np.concatenate([np.ptp(self.loop.line, axis=0), middle, middle + self.way.of(middle[None])[0]])
 
 
-def pairs_of(scene: Scene) -> Iterator[list[Pair]]:
+def pairs_of(scene: Scene, *, bowed: bool) -> Iterator[list[Pair]]:
     """Outlines and ways that a glance at the ink supports, those that explain most of it first.
+
+    bowed : whether some lines bow: else only wireframes are looked for, whose holes may be too narrow to bow
 
     The sources are asked in turn. A batch ends where a pair explains about all that lines without hidden ones can:
     whoever is content with it need not ask for more.
     """
     ranked: list[Pair] = []
-    for source in (_moved, _drawn_together, _coherent):
+    sources = (_coherent, _moved, _drawn_together) if bowed else (_coherent,)
+    for source in sources:
         every = (p for p in _distinct(source(scene), scene.size) if not is_flat(p.way, p.loop.line, scene))
-        ranked += [p._replace(value=scene.cells.value(p.loop, p.way, is_near=p.is_near)) for p in every]
+        ranked += [p.valued(scene.cells) for p in every]
         ranked.sort(key=lambda p: -p.value)
-        if ranked and (ranked[0].value >= ENOUGH or source is _coherent):
+        if ranked and (ranked[0].value >= ENOUGH or (bowed and source is sources[-1])):
             good = [p for p in ranked[:MOST_PRICED] if p.value >= ranked[0].value - WORSE]
             ranked = ranked[len(good) :]
             yield good
@@ -214,26 +246,40 @@ def _drawn_together(scene: Scene) -> Iterator[Pair]:
 
 def _coherent(scene: Scene) -> Iterator[Pair]:
     """Wireframes: ink that lies on ink again when it is moved."""
-    reach = max(3.0, 0.5 * scene.skeleton.pen_width)
-    for shift in shifts(scene.skeleton, scene.along, scene.size):
-        for d in (shift, -shift):
-            for line in coherent_loops(scene.skeleton, d, reach, scene.size)[:1]:
-                yield Pair(Loop(line), Way(d), is_whole=True)
+    for shift in shifts(scene.skeleton, scene.size):
+        rough = _moved_to_ink(shift, WIDELY, scene)
+        if not rough:
+            continue
+        line = np.concatenate([loop.line for loop in rough])
+        way = settled_wire(shift, line, scene.tree, scene.reach)
+        # lines between the faces lie on themselves for a little while
+        close = _moved_to_ink(way.of(scene.skeleton.points), CLOSELY, scene)
+        loops = close if close and close[0].area > WHOLE * rough[0].area else rough
+        holes = [h for h in loops[1:] if loops[0].inside.holds(h.probes, WITHIN).all()]
+        yield Pair(loops[0], way, is_whole=True, holes=tuple(holes))
+
+
+def _moved_to_ink(shift: Floats, within: tuple[float, float], scene: Scene) -> list[Loop]:
+    """Closed lines of ink that comes to lie within so many pixels, or pens, of ink by a shift (2,), or one a point."""
+    reach = max(within[0], within[1] * scene.skeleton.pen_width)
+    return [Loop(line) for line in coherent_loops(scene.skeleton, shift, reach, scene.size)]
 
 
 def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
     """The sweeps that a pair may mean: its outline cut into lines and arcs."""
     way = pair.way
-    if not way.is_pointed:
-        way = settled(way, pair.loop, scene.skeleton, scene.size, is_wire=pair.is_whole)
+    if not way.is_pointed and not pair.is_whole:
+        way = settled(way, pair.loop, scene.skeleton, scene.size)
     line = pair.loop.line
     if is_flat(way, line, scene):
         return
     axis = way.shift if way.centre is None else way.centre - line.mean(axis=0)
     axis = axis / (np.hypot(*axis) + 1e-9)
-    for made in cut_ring(evenly(line), axis, scene.skeleton.pen_width):
-        sweep = Sweep((made.outline,), way, pair.is_near)
-        yield _larger_first(sweep)
+    pen = scene.skeleton.pen_width
+    holes = [next(cut_ring(evenly(h.line), axis, pen)).outline for h in pair.holes]
+    hints = tuple(hole.frame.ratio for hole in holes if hole.circle is not None)[:MOST_HINTS]
+    for made in cut_ring(evenly(line), axis, pen, hints):
+        yield _larger_first(Sweep(in_one_frame((made.outline, *holes)), way, pair.is_near))
 
 
 def _larger_first(sweep: Sweep) -> Sweep:

@@ -13,9 +13,16 @@ from typing import TypeAlias
 
 import cv2
 import numpy as np
-from scipy.spatial import cKDTree
 
-from sketch2shape.evidence import Comparison, Energy, compare_sweep, sweep_confidence, sweep_witnesses, unexplained_part
+from sketch2shape.evidence import (
+    SWEEP_WITNESSES,
+    Comparison,
+    Energy,
+    compare_sweep,
+    sweep_confidence,
+    sweep_witnesses,
+    unexplained_part,
+)
 from sketch2shape.fit import polished
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
@@ -26,6 +33,7 @@ from sketch2shape.sweeps import (
     Sweep,
     coherent_loops,
     cut_ring,
+    in_one_frame,
     redraw,
 )
 
@@ -37,6 +45,8 @@ CLOSE = 40.0
 """Nats by which a sweep not yet improved may be worse than the best one where that explains all."""
 HOPEFUL = 12.0
 """Nats that may be gained where a simpler object is moved to the ink."""
+MOST_GAINED = 150.0
+"""Nats that a sweep gains at most by being moved to the ink; some 120 were seen where its holes were known."""
 MOST_IMPROVED = 3
 """Of these, those that are moved to the ink."""
 APART = 1.5
@@ -91,6 +101,11 @@ class FoundSweep:
         return unexplained_part(self.energy, self.compared)
 
     @property
+    def is_lone(self) -> bool:
+        """Whether few of its lines have ink: a flat figure may look the same."""
+        return self.witnesses is not None and bool(self.witnesses[SWEEP_WITNESSES.index("lone")])
+
+    @property
     def noise(self) -> float:
         """How far lines stray, pixels."""
         return self.energy.noise
@@ -107,19 +122,29 @@ class FoundSweep:
 
 
 def _priced(scene: Scene, sweep: Sweep) -> FoundSweep:
-    compared = compare_sweep(sweep, scene.view, scene.margin, scene.solid)
-    return FoundSweep(sweep, compared, compared.energy(np.inf))
+    """Held against the drawing, with lines at smooth joints if that is cheaper."""
+    ways = [sweep]
+    if any(ring.smooth.any() for ring in sweep.rings):
+        ways = [replace(sweep, tangents=drawn) for drawn in (False, True)]
+    every = [compare_sweep(way, scene.view, scene.margin, scene.solid) for way in ways]
+    found = [FoundSweep(way, c, c.energy(np.inf)) for way, c in zip(ways, every, strict=True)]
+    return min(found, key=lambda f: f.nats)
 
 
-def find_sweep(seen: Observed, *, arcs: bool = True) -> FoundSweep | None:
-    """The best sweep for the ink of one object, or None; without arcs only pyramids are looked for."""
+def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> FoundSweep | None:
+    """The best sweep for the ink of one object, or None.
+
+    arcs  : whether some lines bow; else only wireframes with holes, and pyramids, are looked for
+    below : nats of the best straight object: what cannot come below is not looked at closely
+    """
     scene = Scene(seen.drawn, seen.skeleton, seen.view)
     some: list[_Begun] = []
     improved: dict[FoundSweep, FoundSweep] = {}
     for begun in _batches(scene, arcs=arcs):
         deep = [b for b in begun if _shows_depth(b[0], scene)]
         some = _unlike(sorted([*some, *deep], key=lambda b: b[0].nats), scene.size)
-        _improve(some[:MOST_IMPROVED], improved, scene)
+        hopeful = [b for b in some[:MOST_IMPROVED] if b[0].nats < below + MOST_GAINED]
+        _improve(hopeful, improved, scene)
         if any(f.unexplained <= SLIGHT for f in improved.values()):
             break
     found = sorted((f for f in improved.values() if _shows_depth(f, scene)), key=lambda f: f.nats)
@@ -132,8 +157,8 @@ def find_sweep(seen: Observed, *, arcs: bool = True) -> FoundSweep | None:
 
 def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
     """Sweeps to start from, the likeliest sources first."""
-    for pairs in pairs_of(scene) if arcs else ():
-        yield [b for pair in pairs for b in _outlined(pair, scene)]
+    for pairs in pairs_of(scene, bowed=arcs):
+        yield [b for pair in pairs if arcs or pair.holes for b in _outlined(pair, scene)]
     yield [(_priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
 
 
@@ -180,6 +205,8 @@ def _leaning(sweep: Sweep) -> float:
 
 def _shows_depth(found: FoundSweep, scene: Scene) -> bool:
     """Whether enough is to be seen of it beside its front face."""
+    from scipy.spatial import cKDTree  # slow to load, and not needed for straight drawings
+
     if not found.sweep.is_near:
         return True
     front = sum(len(ring.line) for ring in found.sweep.rings)
@@ -231,6 +258,7 @@ def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> Found
     """The best cut moved to the ink, with its holes and without needless vertices."""
     found = min((_moved(f, scene) for f in (found, *(_priced(scene, s) for s in others))), key=lambda f: f.nats)
     found = _with_holes(found, scene)
+    found = _in_perspective(found, scene)
     found = _simpler(found, scene)
     if found.sweep.way.centre is None:
         other = _priced(scene, found.sweep.reversed())
@@ -238,12 +266,22 @@ def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> Found
     return found
 
 
-def _moved(found: FoundSweep, scene: Scene) -> FoundSweep:
-    reach = max(4.0, 0.012 * scene.size)
-    moved = polished(found.sweep, scene.tree, reach)
+def _moved(found: FoundSweep, scene: Scene, other: FoundSweep | None = None) -> FoundSweep:
+    """Moved to the ink, or else as it was, or the other one."""
+    moved = polished(found.sweep, scene.tree, scene.reach)
+    other = found if other is None else other
     if moved.has_arcs and is_flat(moved.way, moved.rings[0].line, scene):
+        return other
+    return min(other, _priced(scene, moved), key=lambda f: f.nats)
+
+
+def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """With a shift that grows over the face, if that explains more than it costs."""
+    way = found.sweep.way
+    if way.centre is not None:
         return found
-    return min(found, _priced(scene, moved), key=lambda f: f.nats)
+    sloped = replace(way, slope=np.zeros(2), origin=found.sweep.rings[0].middle)
+    return _moved(replace(found, sweep=replace(found.sweep, way=sloped)), scene, found)
 
 
 def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
@@ -259,10 +297,9 @@ def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
         axis = found.sweep.way.shift if found.sweep.way.centre is None else found.sweep.way.of(loop).mean(axis=0)
         along = frame.along if found.sweep.has_arcs else axis / (np.hypot(*axis) + 1e-9)
         for told in islice(cut_ring(evenly(loop), along, scene.skeleton.pen_width, hints), 1):
-            outer = tuple(replace(r, frame=told.frame) for r in rings) if not found.sweep.has_arcs else rings
-            sweep = replace(found.sweep, rings=(*outer, told.outline))
-            holed = _moved(_priced(scene, sweep), scene)
-            found = min(found, holed, key=lambda f: f.nats)
+            holed = _priced(scene, replace(found.sweep, rings=in_one_frame((*rings, told.outline))))
+            if holed.nats < found.nats + HOPEFUL:
+                found = min(found, _moved(holed, scene), key=lambda f: f.nats)
     return found
 
 

@@ -75,4 +75,4 @@ def _arcs_of(sweep: Sweep, ring: Outline, number: int, ink: Ink) -> Iterator[Dra
 def _image(sweep: Sweep, ring: Outline) -> Outline:
     """The ring on the back face."""
     way = sweep.way
-    return ring.shifted(way.shift) if way.centre is None else ring.moved(way.centre, way.scale)
+    return ring.carried(way.of) if way.centre is None else ring.moved(way.centre, way.scale)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sketch2shape.sweeps.cells import Cells
 from sketch2shape.sweeps.loops import Loop, coherent_loops, ellipses, enclosed_loops
-from sketch2shape.sweeps.outlines import Circle, Frame, Outline
+from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
 from sketch2shape.sweeps.pieces import cut_ring
 from sketch2shape.sweeps.pyramids import pyramids
 from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
@@ -13,6 +13,7 @@ from sketch2shape.sweeps.ways import (
     directions,
     distinct_directions,
     settled,
+    settled_wire,
     shifts,
     ways_along,
     ways_towards,
@@ -34,10 +35,12 @@ __all__ = [
     "distinct_directions",
     "ellipses",
     "enclosed_loops",
+    "in_one_frame",
     "pyramids",
     "redraw",
     "seen_vertices",
     "settled",
+    "settled_wire",
     "shifts",
     "ways_along",
     "ways_towards",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -73,8 +74,15 @@ class Cells:
         ray = p[looks, None] + (t if is_near else -BEHIND * t)[:, None] * to[looks, None]
         hidden = np.repeat(loop.inside.holds(ray, BESIDE).any(axis=1), looks.step)[: len(p)]
         lines = [p, (p + to)[~hidden]] if is_near else [p[~hidden]]
-        told = self.of_points(np.concatenate([*lines, self._drawn_sides(loop, way, is_near=is_near)]))
+        told = self.of_points(np.concatenate([*lines, self._drawn_sides(loop, way, hides=is_near)]))
         return self._value(told, self.near)
+
+    def value_of_wire(self, loops: Iterable[Loop], way: Way) -> float:
+        """The same where nothing is hidden, for an outline and its holes, dashed or not."""
+        lines = [
+            np.concatenate([p.line, p.line + way.of(p.line), self._drawn_sides(p, way, hides=False)]) for p in loops
+        ]
+        return self._value(self.of_points(np.concatenate(lines)), self._beside)
 
     def value_of_lines(self, ends: Floats) -> float:
         """The same of straight lines (k, 2, 2), dashed or not."""
@@ -96,7 +104,7 @@ class Cells:
     def _inked(self) -> int:
         return int(np.count_nonzero(self.ink))
 
-    def _drawn_sides(self, loop: Loop, way: Way, *, is_near: bool) -> Floats:
+    def _drawn_sides(self, loop: Loop, way: Way, *, hides: bool) -> Floats:
         """(k, 2) points of what is seen of the lines between an outline and its image, if they are drawn.
 
         A polygon that stands for an arc has corners from which no line starts.
@@ -104,7 +112,7 @@ class Cells:
         q = loop.line[_sides(loop, way)]
         lines = q[:, None] + np.linspace(0, 1, ON_A_SIDE)[:, None] * way.of(q)[:, None]
         seen = np.ones(lines.shape[:2], np.bool_)
-        if is_near:
+        if hides:
             seen = ~np.logical_or.accumulate(loop.inside.holds(lines, BESIDE), axis=1)
         drawn = np.count_nonzero(self.near.take(self._numbers(lines)) & seen, axis=1)
         return np.asarray(lines[seen & (drawn > MOSTLY * np.count_nonzero(seen, axis=1))[:, None]])

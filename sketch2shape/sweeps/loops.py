@@ -26,6 +26,8 @@ LEAST_BOW = 0.06
 """Height of a bowed line over its chord from which it can be an arc of some turn."""
 LEAST_PATH = 0.05
 """Length of a bowed line over the drawing's size."""
+LEAST_COHERENT = 0.025
+"""Extent of a line that lies on ink when it is moved, over the drawing's size: a small hole."""
 MOST_ELLIPSES = 10
 """Ellipses that are looked at, those with the most ink."""
 ELLIPSE_POINTS = 320
@@ -57,6 +59,11 @@ class Loop:
         """What it encloses."""
         return Inside.of([self.line])
 
+    @property
+    def area(self) -> float:
+        """Square pixels that it encloses."""
+        return float(cv2.contourArea(self.line.astype(np.float32)))
+
     @cached_property
     def probes(self) -> Floats:
         """(PROBES, 2) of its points."""
@@ -87,7 +94,8 @@ def enclosed_loops(ink: Bools, pen: float) -> list[Floats]:
         x, y, wide, high = stats[k, :4]
         part = as_gray(np.pad(labels[y : y + high, x : x + wide] == k, int(pen) + 3).astype(np.uint8))
         loops.append(_border(_grown(part, 0.5 * pen)) + [x - int(pen) - 5, y - int(pen) - 5])
-    return [loop for loop in loops if len(loop) >= 12]
+    # what lies between an outline and a hole has a small area, and the outline for its border
+    return sorted((p for p in loops if len(p) >= 12), key=lambda p: -cv2.contourArea(p.astype(np.float32)))
 
 
 def _grown(part: Gray, by: float) -> Gray:
@@ -195,7 +203,7 @@ def _differ(a: tuple[float, ...], b: tuple[float, ...], size: float) -> bool:
 def coherent_loops(skeleton: Skeleton, shift: Floats, reach: float, size: float) -> list[Floats]:
     """Closed lines of the ink that lies on ink again when it is moved, the largest first.
 
-    shift : (2,) float, pixels
+    shift : (2,) float, pixels, or (k, 2), of each point of ink
     reach : pixels
     size  : of the drawing, pixels
     """
@@ -208,7 +216,7 @@ def coherent_loops(skeleton: Skeleton, shift: Floats, reach: float, size: float)
     kept = np.zeros((h, w), np.uint8)
     kept[own[on, 1], own[on, 0]] = 1
     for gap in JOINT_GAPS:
-        loops = _closed_loops(kept, gap + 0.5 * skeleton.pen_width, LEAST_PATH * size)
+        loops = _closed_loops(kept, gap + 0.5 * skeleton.pen_width, LEAST_COHERENT * size)
         if loops:
             return loops
     return []

@@ -6,8 +6,8 @@ the short axis of these they are circles again, and an arc is told by its bulge 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -150,12 +150,34 @@ class Outline:
             circle = Circle(at + scale * (circle.centre - at), scale * circle.radius)
         return Outline(self.frame, vertices, self.bulges, self.smooth, circle)
 
+    def carried(self, by: Callable[[Floats], Floats]) -> Outline:
+        """The same with its vertices moved each by its own way (k, 2), a circle by that of its middle."""
+        moved = self.shifted(by(self.middle[None])[0])
+        return replace(moved, vertices=self.vertices + by(self.vertices))
+
     def shifted(self, by: Floats) -> Outline:
         """The same moved in the picture."""
         circle = self.circle
         if circle is not None:
             circle = Circle(circle.centre + self.frame.flat(by), circle.radius)
         return Outline(self.frame, self.vertices + by, self.bulges, self.smooth, circle)
+
+
+def in_one_frame(rings: Sequence[Outline]) -> tuple[Outline, ...]:
+    """Rings of one face with all their circles in the frame of the longest curved one: they are seen alike."""
+    curved = [ring for ring in rings if ring.curved.any()]
+    if not curved:
+        return tuple(rings)
+    frame = max(curved, key=lambda ring: float(np.hypot(*np.ptp(ring.line, axis=0)))).frame
+    return tuple(_within(ring, frame) for ring in rings)
+
+
+def _within(ring: Outline, frame: Frame) -> Outline:
+    """The ring in another frame; a circle keeps its middle in the picture and its radius across."""
+    circle = ring.circle
+    if circle is not None:
+        circle = Circle(frame.flat(ring.frame.seen(circle.centre)), circle.radius)
+    return replace(ring, frame=frame, circle=circle)
 
 
 def polygon(vertices: Floats) -> Outline:

@@ -307,7 +307,10 @@ def _outlined(ring: Floats, told: _Told, frame: Frame, runs: _Runs) -> Outline:
     breaks = flat[told.breaks % k]
     joints = [_joint(shapes[m - 1], shapes[m], breaks[m]) for m in range(n)]
     corners = np.array([p for p, _ in joints])
-    far = np.hypot(*(corners - breaks).T) > FAR_JOINT * float(np.hypot(*np.ptp(flat, axis=0)))
+    long = np.hypot(*(np.roll(breaks, -1, axis=0) - breaks).T)
+    # lines and arcs of a short piece are told by few points, and meet anywhere
+    reach = np.minimum(FAR_JOINT * float(np.hypot(*np.ptp(flat, axis=0))), 0.5 * np.minimum(long, np.roll(long, 1)))
+    far = np.hypot(*(corners - breaks).T) > reach
     corners[far] = breaks[far]
     smooth = np.array([is_smooth for _, is_smooth in joints], np.bool_) & ~far
     bulges = [

@@ -32,17 +32,32 @@ class Way:
     shift  : (2,) float, pixels, where all points move alike
     centre : (2,) float, pixels, towards which they are drawn together, or None
     scale  : of the back face over the front; 0 for a point
+    slope  : (2,) float, part per pixel by which a shift grows over the face, as in perspective; None in parallel views
+    origin : (2,) float, pixels, where the shift is as it says
     """
 
     shift: Floats
     centre: Floats | None = None
     scale: float = 1.0
+    slope: Floats | None = None
+    origin: Floats | None = None
 
     def of(self, points: Floats) -> Floats:
         """(k, 2) float, pixels, from each point to its image on the back face."""
-        if self.centre is None:
+        if self.centre is not None:
+            return (1.0 - self.scale) * (self.centre - points)
+        if self.slope is None or self.origin is None:
             return np.broadcast_to(self.shift, points.shape)
-        return (1.0 - self.scale) * (self.centre - points)
+        return np.asarray((1.0 + (points - self.origin) @ self.slope)[..., None] * self.shift)
+
+    def moved(self, by: Floats) -> Way:
+        """The same elsewhere in the picture."""
+        centre, origin = (None if at is None else at + by for at in (self.centre, self.origin))
+        return replace(self, centre=centre, origin=origin)
+
+    def back(self) -> Way:
+        """From the back face to the front, for faces of one size."""
+        return replace(self.moved(self.shift), shift=-self.shift)
 
     @property
     def is_pointed(self) -> bool:
@@ -52,7 +67,9 @@ class Way:
     @property
     def numbers(self) -> int:
         """How many numbers tell it."""
-        return 2 if self.centre is None or self.is_pointed else 3
+        if self.centre is None:
+            return 2 if self.slope is None else 4
+        return 2 if self.is_pointed else 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,12 +81,14 @@ class Sweep:
     is_near : whether the front face is the nearer one; a cone seen from above stands with its base behind
     regular : nats for the number of sides of a base that is taken for a regular polygon, since only some of its
               vertices are seen; None for others
+    tangents : whether lines are drawn where an arc runs on smoothly, as wireframes of CAD programs show them
     """
 
     rings: tuple[Outline, ...]
     way: Way
     is_near: bool = True
     regular: float | None = None
+    tangents: bool = False
 
     @property
     def frame(self) -> Frame:
@@ -96,13 +115,11 @@ class Sweep:
 
     def shifted(self, by: Floats) -> Sweep:
         """The same moved in the picture."""
-        centre = None if self.way.centre is None else self.way.centre + by
-        rings = tuple(ring.shifted(by) for ring in self.rings)
-        return replace(self, rings=rings, way=replace(self.way, centre=centre))
+        return replace(self, rings=tuple(ring.shifted(by) for ring in self.rings), way=self.way.moved(by))
 
     def reversed(self) -> Sweep:
         """The same with the two faces exchanged. Only for faces of one size."""
-        return Sweep(tuple(ring.shifted(self.way.shift) for ring in self.rings), Way(-self.way.shift))
+        return replace(self, rings=tuple(ring.carried(self.way.of) for ring in self.rings), way=self.way.back())
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +159,9 @@ def redraw(sweep: Sweep, spacing: float, margin: float) -> Redrawn:
     to = sweep.way.of(line)
     entry = _entries(sweep, line, to, margin)
     starts = np.cumsum([0, *(len(ring.line) for ring in sweep.rings)])
-    sharp = np.concatenate([r.knots[~r.smooth] + s for r, s in zip(sweep.rings, starts[:-1], strict=True)])
+    sharp = np.concatenate(
+        [r.knots[~r.smooth | sweep.tangents] + s for r, s in zip(sweep.rings, starts[:-1], strict=True)]
+    )
     silhouettes = np.concatenate(
         [_turning(r, to[s:e]) + s for r, s, e in zip(sweep.rings, starts[:-1], starts[1:], strict=True)]
     )

@@ -8,8 +8,10 @@ lies on ink.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
+import cv2
 import numpy as np
 
 from sketch2shape.geometry import line_crossings
@@ -18,6 +20,9 @@ from sketch2shape.strokes import Skeleton, Strokes, interpolated
 from sketch2shape.sweeps.insides import Inside
 from sketch2shape.sweeps.loops import Loop
 from sketch2shape.sweeps.sweep import Way
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 STEPS = 90
 """Steps of a probe across the drawing's size."""
@@ -39,6 +44,15 @@ LEAST_STROKE = 0.07
 """Length of a line over the drawing's size from which it may tell a direction."""
 BESIDE = 2.5
 """Pixels by which a point must lie inside an outline to be hidden by it."""
+CORRELATED_CELLS, AROUND = 240, (8, 4)
+"""Cells across the drawing's size in which it is compared with itself, and those around a shift that it has to beat:
+few for short shifts, as all ink lies on itself nearly unmoved."""
+LEAST_RISE, LEAST_SHIFT = 0.03, 0.02
+"""Part of the ink by which a shift must beat those around it, and its least length over the drawing's size."""
+SETTLING, PARALLEL = 5, 0.06
+"""Steps in which a shift is settled, and the part by which it grows over a face in a parallel drawing at most."""
+REFINING = 500
+"""Points of ink that settle a shift to a pixel."""
 OUTWARD = 3.0
 """Largest scale of a back face that is the larger one."""
 
@@ -163,11 +177,16 @@ def _probe(loop: Loop, moves: Floats, skeleton: Skeleton, size: float) -> Iterat
 
 def _on_ink(points: Floats, skeleton: Skeleton, reach: float) -> Bools:
     """Whether points (..., 2) lie on ink."""
+    return np.asarray(_off_ink(points, skeleton) <= reach)
+
+
+def _off_ink(points: Floats, skeleton: Skeleton) -> Floats:
+    """(...) pixels from points (..., 2) to ink, infinite outside the picture."""
     h, w = skeleton.distance.shape
     at = (points + 0.5).astype(np.int32)
     x, y = at[..., 0], at[..., 1]
     ok = (x >= 0) & (y >= 0) & (x < w) & (y < h)
-    return np.asarray(ok & (skeleton.distance.take(np.where(ok, y * w + x, 0)) <= reach))
+    return np.where(ok, skeleton.distance.take(np.where(ok, y * w + x, 0)), np.inf)
 
 
 def _peaks(hits: Floats, seen: Floats) -> Iterator[int]:
@@ -218,23 +237,71 @@ def _steps(way: Way, size: float, long: float) -> Iterator[Way]:
                 yield Way(way.shift, way.centre, scale)
 
 
-def shifts(skeleton: Skeleton, along: Floats, size: float, most: int = 6) -> Floats:
-    """(k, 2) shifts along some directions by which the most ink comes to lie on ink."""
-    p = skeleton.points[:: max(1, len(skeleton.points) // 700)]
-    step = size / STEPS
-    far = np.arange(max(int(0.06 * STEPS), 3), int(0.8 * STEPS)) * step
-    found: list[tuple[float, Floats]] = []
-    for u in along[::2]:
-        on = _on_ink(p[:, None] + far[:, None] * u, skeleton, max(2.0, 0.6 * step))
-        value = on.mean(axis=0)
-        rise = value - 0.5 * (
-            value[np.clip(np.arange(len(far)) - 5, 0, None)]
-            + value[np.clip(np.arange(len(far)) + 5, None, len(far) - 1)]
-        )
-        for _ in range(2):
-            k = int((value + rise).argmax())
-            if value[k] > 0.2:
-                found.append((float(value[k] + rise[k]), far[k] * u))
-            value[max(k - 4, 0) : k + 5] = -1.0
-    found.sort(key=lambda f: -f[0])
-    return np.array([d for _, d in found[:most]]).reshape(-1, 2)
+def shifts(skeleton: Skeleton, size: float, most: int = 10) -> Floats:
+    """(k, 2) shifts by which much of the ink comes to lie on ink, and more than by those around them.
+
+    The autocorrelation of the ink, by Fourier transforms. A long line lies on itself and on what is parallel to it for
+    a while: ridges, on which the shift to the back face is a summit, since by it everything lies on ink.
+
+    size : of the drawing, pixels
+    """
+    from scipy import fft  # slow to load, and not needed for straight drawings
+
+    side = size / CORRELATED_CELLS
+    at = ((skeleton.points - skeleton.points.min(axis=0)) / side).astype(np.intp)
+    ink = np.zeros(tuple((at.max(axis=0) + 1)[::-1]), np.float32)
+    ink[at[:, 1], at[:, 0]] = 1.0
+    near = cv2.dilate(cv2.copyMakeBorder(ink, 1, 1, 1, 1, cv2.BORDER_CONSTANT), np.ones((3, 3), np.uint8))
+    shape = [fft.next_fast_len(2 * n + 2, real=True) for n in ink.shape]
+    found = fft.irfft2(np.conj(fft.rfft2(ink, shape)) * fft.rfft2(near, shape), shape) / ink.sum()
+    value = np.asarray(np.fft.fftshift(found), np.float32)
+    middle = np.array([shape[1] // 2 + 1, shape[0] // 2 + 1])
+    rise = np.maximum(*(value - cv2.blur(value, (2 * k + 1, 2 * k + 1)) for k in AROUND))
+    summit = (rise >= cv2.dilate(rise, np.ones((7, 7), np.uint8))) & (rise > LEAST_RISE)
+    places = np.argwhere(summit)[:, ::-1]
+    places = places[np.argsort(-rise[places[:, 1], places[:, 0]], kind="stable")]
+    shift = (places - middle) * side
+    half = (shift[:, 1] > 0) | ((shift[:, 1] == 0) & (shift[:, 0] > 0))
+    some = shift[half & (np.hypot(*shift.T) > LEAST_SHIFT * size)][:most]
+    return np.array([_refined(d, skeleton, side) for d in some]).reshape(-1, 2)
+
+
+def _refined(shift: Floats, skeleton: Skeleton, side: float) -> Floats:
+    """A shift moved by up to a cell to where the most ink lies on ink."""
+    p = skeleton.points[:: max(1, len(skeleton.points) // REFINING)]
+    steps = np.linspace(-1.0, 1.0, 5) * side
+    moved = shift + np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 1, 2)
+    return np.asarray(moved[np.exp(-0.5 * _off_ink(p + moved, skeleton) ** 2).sum(axis=1).argmax(), 0])
+
+
+def settled_wire(shift: Floats, line: Floats, ink: cKDTree, reach: float) -> Way:
+    """The shift of a wireframe's outline to its image on ink, growing over the face if it is drawn in perspective.
+
+    Gauss-Newton steps on the distances to the nearest ink, as in `fit.polishing`.
+
+    line  : (k, 2) float, pixels, of the outline, and of its holes
+    ink   : of the skeleton's pixels
+    reach : pixels from which ink is that of another line
+    """
+    pixels, origin = np.asarray(ink.data), line.mean(axis=0)
+    span = np.roll(line, -1, axis=0) - np.roll(line, 1, axis=0)
+    normal = np.stack([-span[:, 1], span[:, 0]], axis=1) / (np.hypot(*span.T)[:, None] + 1e-9)
+    size = float(np.hypot(*np.ptp(line, axis=0)))
+    place = (line - origin) / size
+    way = Way(shift, slope=np.zeros(2), origin=origin)
+    for _ in range(SETTLING):
+        at = line + way.of(line)
+        distance, nearest = ink.query(at, distance_upper_bound=reach)
+        used = np.isfinite(distance)
+        if np.count_nonzero(used) < len(line) // 4:
+            break
+        off = ((pixels[nearest[used]] - at[used]) * normal[used]).sum(axis=1)
+        across = normal[used] @ way.shift
+        slopes = np.concatenate([normal[used], across[:, None] * place[used]], axis=1)
+        weight = 1.0 / (1.0 + (off / (0.35 * reach)) ** 2)
+        square = slopes.T @ (slopes * weight[:, None])
+        change = np.linalg.solve(square + 1e-3 * np.trace(square) * np.eye(4), slopes.T @ (weight * off))
+        slope = (np.zeros(2) if way.slope is None else way.slope) + change[2:] / size
+        way = replace(way, shift=way.shift + change[:2], slope=slope)
+    grows = 0.0 if way.slope is None else float(np.hypot(*way.slope)) * size
+    return way if grows > PARALLEL else Way(way.shift)

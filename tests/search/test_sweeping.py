@@ -3,11 +3,12 @@
 import cv2
 import numpy as np
 import pytest
-from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, drawn, half_disc
+from round_sketches import ARCH, CONE, CYLINDER, FACING, PYRAMID, TUBE, drawn, ellipse, half_disc
 from sketches import DEPTH, ink_of, paper, prism
 
 from sketch2shape.search import FoundSweep, find_all, sweep_as_object
-from sketch2shape.sweeps import Sweep, Way
+from sketch2shape.sweeps import Frame, Outline, Sweep, Way
+from sketch2shape.sweeps.outlines import polygon
 
 HALF_CYLINDER = Sweep((half_disc(),), Way(np.array([110.0, -70])))
 
@@ -102,3 +103,41 @@ def test_circles_alone_are_no_object(figure):
     picture = paper()
     figure(picture)
     assert all(obj.confidence < 0.9 for obj in found_in(picture))
+
+
+def plate(way):
+    """A plate with rounded corners and two round holes, face on."""
+    r, k = 60.0, np.tan(np.pi / 8)
+    x = np.array([60.0, 60 + r, 400 - r, 400])
+    y = np.array([120.0, 120 + r, 340 - r, 340])
+    places = [(1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1)]
+    vertices = np.array([[x[i], y[j]] for i, j in places])
+    outer = Outline(FACING, vertices, np.array([0, k, 0, k, 0, k, 0, k]) * -1.0, np.ones(8, bool))
+    return Sweep((outer, ellipse(140.0, 230.0, 35.0, FACING), ellipse(300.0, 230.0, 55.0, FACING)), way)
+
+
+def slot(way, tangents):
+    """A plate with round ends, face on."""
+    vertices = np.array([[140.0, 150], [300, 150], [300, 290], [140, 290]])
+    return Sweep((Outline(FACING, vertices, np.array([0, -1.0, 0, -1.0]), np.ones(4, bool)),), way, tangents=tangents)
+
+
+def test_a_wireframe_of_a_rounded_plate_with_holes():
+    obj = the_one(drawn(plate(Way(np.array([34.0, -26]))), "wire"))
+    assert len(obj.f1) == 8
+    assert sorted(arc.hole is None for arc in obj.arcs if arc.face == "f1") == [False, False, True, True, True, True]
+
+
+@pytest.mark.parametrize("tangents", [False, True], ids=["plain", "lines at smooth joints"])
+def test_lines_may_be_drawn_at_smooth_joints(tangents):
+    obj = the_one(drawn(slot(Way(np.array([64.0, -46])), tangents), "wire"))
+    assert len(obj.f1) == 4
+    assert [arc.face for arc in obj.arcs].count("f1") == 2
+
+
+def test_a_box_of_straight_lines_keeps_its_round_hole():
+    box = polygon(np.array([[100.0, 160], [290, 214], [290, 374], [100, 320]]))
+    frame = Frame(np.array([0.93, -0.36]), 0.55)
+    obj = the_one(drawn(Sweep((box, ellipse(195.0, 267.0, 42.0, frame)), Way(np.array([150.0, -58]))), "wire"))
+    assert len(obj.f1) == 4
+    assert len(obj.holes) == 1

@@ -1,7 +1,7 @@
 """What outlines and ways explain at a glance."""
 
 import numpy as np
-from round_sketches import CONE, CYLINDER, drawn
+from round_sketches import CONE, CYLINDER, TUBE, drawn
 from sketches import ink_of
 
 from sketch2shape.search.sweep_pairs import evenly
@@ -36,3 +36,10 @@ def test_lines_that_have_ink_explain_more_than_they_lack():
     drawn_lines = np.stack([sides, sides + CYLINDER.way.shift], axis=1)
     assert cells.value_of_lines(drawn_lines) > 0.15
     assert cells.value_of_lines(drawn_lines + [300.0, 0]) < 0
+
+
+def test_a_wireframe_is_explained_with_its_holes():
+    cells = cells_of(TUBE, "wire")
+    outer, inner = (Loop(evenly(ring.line)) for ring in TUBE.rings)
+    assert cells.value_of_wire((outer, inner), TUBE.way) > 0.9
+    assert cells.value_of_wire((outer,), TUBE.way) < 0.8

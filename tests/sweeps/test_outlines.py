@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from round_sketches import FACING, UPRIGHT, arch, ellipse, half_disc
 
-from sketch2shape.sweeps.outlines import polygon
+from sketch2shape.sweeps.outlines import Frame, in_one_frame, polygon
 
 
 def test_a_half_circle_bulges_by_one():
@@ -40,3 +40,18 @@ def test_moving_a_ring_moves_its_line(ring):
 def test_a_ring_turns_at_its_corners_and_not_at_smooth_joints():
     assert arch().turns == pytest.approx([0, 0, np.pi / 2, np.pi / 2], abs=0.08)
     assert FACING.flat(FACING.seen(np.array([[3.0, 4.0]]))) == pytest.approx(np.array([[3.0, 4.0]]))
+
+
+def test_circles_of_one_face_are_told_in_one_frame():
+    flatter = Frame(UPRIGHT.along, 0.3)
+    large, small = in_one_frame((ellipse(radius=90.0), ellipse(y=130.0, radius=20.0, frame=flatter)))
+    assert small.frame == large.frame == UPRIGHT
+    assert small.middle == pytest.approx([240, 130])
+    assert np.ptp(small.line[:, 0]) == pytest.approx(40, rel=1e-3)
+
+
+def test_a_ring_is_carried_vertex_by_vertex():
+    ring = arch()
+    moved = ring.carried(lambda p: 0.1 * p)
+    assert moved.vertices == pytest.approx(1.1 * ring.vertices)
+    assert moved.bulges == pytest.approx(ring.bulges)

@@ -1,5 +1,7 @@
 """What a drawing of a sweep shows, and what it hides."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, ellipse
@@ -71,3 +73,18 @@ def test_vertices_of_the_back_that_the_front_hides():
     seen = seen_vertices(ARCH, 3.0)
     # the arch goes up and to the right: its left corners lie behind it
     assert seen.tolist() == [False, True, True, False]
+
+
+def test_a_shift_in_perspective_grows_from_its_origin_and_returns():
+    way = Way(np.array([40.0, -30]), slope=np.array([0.0, 1e-3]), origin=np.array([200.0, 200]))
+    points = np.array([[200.0, 200], [200, 300]])
+    assert way.of(points) == pytest.approx(np.array([[40.0, -30], [44, -33]]))
+    there = points + way.of(points)
+    assert there + way.back().of(there) == pytest.approx(points, abs=1.0)
+    assert way.moved(np.array([7.0, 5])).of(points + [7, 5]) == pytest.approx(way.of(points))
+    assert way.numbers == 4
+
+
+def test_lines_at_smooth_joints_are_drawn_where_that_is_the_manner():
+    plain, told = (redraw(replace(ARCH, tangents=drawn), 3.0, 3.0) for drawn in (False, True))
+    assert told.length.sum() - plain.length.sum() == pytest.approx(2 * np.hypot(*ARCH.way.shift), rel=1e-6)
