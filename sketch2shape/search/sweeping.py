@@ -37,6 +37,8 @@ from sketch2shape.sweeps import (
     redraw,
 )
 
+SIDE = 0.02
+"""Part of the ink that one more side of a base has to explain: about what its corner costs in nats."""
 MOST_PYRAMIDS = 16
 """Pyramids that are priced."""
 SLIGHT = 0.03
@@ -182,7 +184,11 @@ def _improve(begun: list[_Begun], improved: dict[FoundSweep, FoundSweep], scene:
 def _likely_pyramids(scene: Scene) -> list[Sweep]:
     """The pyramids whose edges explain most of the ink at a glance: in a busy drawing there are thousands."""
     distinct = {_places(p, ALIKE * scene.size): p for p in scene.pyramids}
-    return sorted(distinct.values(), key=lambda p: -scene.cells.value_of_lines(p.edges))[:MOST_PYRAMIDS]
+
+    def worth(pyramid: Sweep) -> float:
+        return scene.cells.value_of_lines(pyramid.edges) - SIDE * len(pyramid.rings[0].vertices)
+
+    return sorted(distinct.values(), key=worth, reverse=True)[:MOST_PYRAMIDS]
 
 
 def _places(pyramid: Sweep, near: float) -> Hashable:

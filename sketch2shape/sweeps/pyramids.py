@@ -55,7 +55,7 @@ def pyramids(traced: list[Strokes], meeting: Floats, skeleton: Skeleton, size: f
             feet = _feet(around, corners, reach)
             for chosen in (feet, around) if len(feet) < len(around) else (around,):
                 if 3 <= len(chosen) <= MOST_SIDES:
-                    yield from _over(chosen, corners, inked, size)
+                    yield from _over(chosen, corners, inked, size, reach)
 
 
 def _feet(around: Ints, points: Floats, reach: float) -> Ints:
@@ -89,15 +89,19 @@ def _inked(points: Floats, skeleton: Skeleton, reach: float) -> Bools:
     return inked
 
 
-def _over(around: Ints, points: Floats, inked: Bools, size: float) -> Iterator[Sweep]:
-    """Pyramids with the first point and a base among the corners that it is joined to."""
+def _over(around: Ints, points: Floats, inked: Bools, size: float, reach: float) -> Iterator[Sweep]:
+    """Pyramids with the first point and a base among the corners that it is joined to.
+
+    reach : pixels by which sides may stray: corners where dashes end or lines cross a side are none of the base
+    """
     way = Way(np.zeros(2), points[0], 0.0)
     chains: list[list[int]] = []
     for chain in _chains([int(a) for a in around], inked):
         closed = len(chain) > 2 and bool(inked[chain[0], chain[-1]])
         if closed:
-            for is_near in (True, False):
-                yield Sweep((polygon(points[chain]),), way, is_near)
+            base = cv2.approxPolyDP(points[chain].astype(np.float32)[:, None], reach, True)[:, 0].astype(float)
+            if len(base) >= 3:
+                yield from (Sweep((polygon(base),), way, is_near) for is_near in (True, False))
         else:
             chains.append(chain)
     if chains:
