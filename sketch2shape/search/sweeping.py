@@ -37,6 +37,8 @@ from sketch2shape.sweeps import (
     redraw,
 )
 
+NOISE_OF_MEDIAN = 1.5
+"""Standard deviation over the median distance, of a normal distribution."""
 SIDE = 0.02
 """Part of the ink that one more side of a base has to explain: about what its corner costs in nats."""
 MOST_PYRAMIDS = 16
@@ -129,8 +131,14 @@ def _priced(scene: Scene, sweep: Sweep) -> FoundSweep:
     if any(ring.smooth.any() for ring in sweep.rings):
         ways = [replace(sweep, tangents=drawn) for drawn in (False, True)]
     every = [compare_sweep(way, scene.view, scene.margin, scene.solid) for way in ways]
-    found = [FoundSweep(way, c, c.energy(np.inf)) for way, c in zip(ways, every, strict=True)]
+    found = [FoundSweep(way, c, c.energy(_hand(c))) for way, c in zip(ways, every, strict=True)]
     return min(found, key=lambda f: f.nats)
+
+
+def _hand(compared: Comparison) -> float:
+    """Noise of the hand that drew, pixels, by the median distance of ink from a line: letters lie apart."""
+    distance, _ = compared.every
+    return NOISE_OF_MEDIAN * float(np.median(distance))
 
 
 def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> FoundSweep | None:
