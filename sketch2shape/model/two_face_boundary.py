@@ -127,6 +127,12 @@ class _Builder:
         through = self._through()
         along = whole.area_vectors([_flat((_forward(ring.front),)) for ring in self.rings]) @ through
         outward = [bool((way < 0) != bool(number)) for number, way in enumerate(along.tolist())]
+        made = self._turned(whole, outward)
+        # faces that hardly face each other do not tell which side is out
+        return made if made.volume >= 0 else self._turned(whole, [not ahead for ahead in outward])
+
+    def _turned(self, whole: Boundary, outward: list[bool]) -> Boundary:
+        """The boundary whose front rings are walked as they are, or backwards."""
         front = tuple(_walk(r.front, ahead) for r, ahead in zip(self.rings, outward, strict=True))
         back = () if self.pointed else tuple(_walk(r.back, not a) for r, a in zip(self.rings, outward, strict=True))
         ends = [loops for loops in (front, back) if loops]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sketch2shape.errors import PointsError
@@ -195,6 +195,7 @@ def test_coordinates_that_are_no_numbers_are_refused():
 
 
 @settings(deadline=None, max_examples=80)
+@example(4, 400, 1.0)
 @given(st.integers(3, 12), st.integers(0, 10_000), st.floats(0.0, 1.0))
 def test_any_two_faces_give_a_finite_closed_solid(n, seed, mix):
     rng = np.random.default_rng(seed)

@@ -141,3 +141,13 @@ def test_a_box_of_straight_lines_keeps_its_round_hole():
     obj = the_one(drawn(Sweep((box, ellipse(195.0, 267.0, 42.0, frame)), Way(np.array([150.0, -58]))), "wire"))
     assert len(obj.f1) == 4
     assert len(obj.holes) == 1
+
+
+def test_letters_beside_a_pyramid_are_not_its_careless_lines():
+    picture = drawn(PYRAMID, "dashed")
+    for letter, at in zip("PABCD", [(232, 90), (92, 290), (205, 348), (340, 300), (236, 240)], strict=True):
+        cv2.putText(picture, letter, at, cv2.FONT_HERSHEY_COMPLEX, 0.7, 0, 1, cv2.LINE_AA)
+    (found,) = find_all(ink_of(picture))
+    assert found.sweep.way.is_pointed
+    assert len(found.sweep.rings[0].vertices) == 4
+    assert found.noise < 2.5

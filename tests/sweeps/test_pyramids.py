@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from round_sketches import PYRAMID, drawn
+from round_sketches import PYRAMID, drawn, polyline
 from sketches import ink_of
 
 from sketch2shape.strokes import thin, trace_skeleton
@@ -34,3 +34,16 @@ def test_of_a_base_half_hidden_the_rest_follows():
     # a parallelogram: the hidden corner lies opposite the near one
     hidden = true[0] + true[2] - true[1]
     assert min(np.hypot(*(s.rings[0].vertices - hidden).T).min() for s in found) < 6
+
+
+def test_a_line_that_crosses_a_side_makes_no_corner_of_the_base():
+    picture = drawn(PYRAMID, "wire")
+    polyline(picture, np.array([[225.0, 100.0], [165.0, 300.0], [160.0, 320.0]]))
+    skeleton = thin(ink_of(picture))
+    size = float(np.hypot(*np.ptp(skeleton.points, axis=0)))
+    strokes = trace_skeleton(skeleton, 1.5)
+    found = list(pyramids([strokes], centres(strokes, size), skeleton, size))
+    true = PYRAMID.rings[0].vertices
+    off = [np.linalg.norm(true[:, None] - s.rings[0].vertices, axis=2).min(axis=1).max() for s in found]
+    sides = [len(s.rings[0].vertices) for s in found]
+    assert min(o for o, n in zip(off, sides, strict=True) if n == 4) < 4
