@@ -58,6 +58,8 @@ WHOLE = 0.9
 """Part of an outline's area from which on a line told more closely is still that outline."""
 WITHIN = 2.0
 """Pixels by which a hole lies inside an outline at least."""
+MOSTLY = 0.6
+"""The same where nothing else is asked for: lines that crossings draw aside are not counted as explained."""
 MOST_PRICED = 10
 """Pairs of a batch, those that explain most at a glance."""
 WORSE = 0.2
@@ -66,6 +68,8 @@ ALIKE = 0.02
 """Fraction of the drawing's size within which two outlines, or their images, are one."""
 SHALLOW_PENS, SHALLOW = 3.0, 0.02
 """Pens, and fraction of the drawing's size, below which there is no depth."""
+BARELY = 0.06
+"""Fraction of the drawing's size by which a point lies outside its round base at least."""
 LEAST_SCALE = 0.12
 """Scale of a smaller face, below which it is a point."""
 COARSE = 0.01
@@ -207,7 +211,8 @@ def pairs_of(scene: Scene, *, bowed: bool) -> Iterator[list[Pair]]:
         every = (p for p in _distinct(source(scene), scene.size) if not is_flat(p.way, p.loop.line, scene))
         ranked += [p.valued(scene.cells) for p in every]
         ranked.sort(key=lambda p: -p.value)
-        if ranked and (ranked[0].value >= ENOUGH or (bowed and source is sources[-1])):
+        enough = ENOUGH if bowed else MOSTLY
+        if ranked and (ranked[0].value >= enough or (bowed and source is sources[-1])):
             good = [p for p in ranked[:MOST_PRICED] if p.value >= ranked[0].value - WORSE]
             ranked = ranked[len(good) :]
             yield good
@@ -302,11 +307,11 @@ def evenly(loop: Floats) -> Floats:
 def is_flat(way: Way, line: Floats, scene: Scene) -> bool:
     """Whether a way leads an outline hardly anywhere: any outline is its own image.
 
-    So is a round one with its point inside it: no line of a cone's side would be drawn.
+    So is a round one with its point inside it, or hardly outside: the lines of a cone's side would lie on its rim.
     """
     if way.is_pointed and way.centre is not None:
         x, y = way.centre.tolist()
-        return cv2.pointPolygonTest(line.astype(np.float32), (x, y), True) > -SHALLOW * scene.size
+        return cv2.pointPolygonTest(line.astype(np.float32), (x, y), True) > -BARELY * scene.size
     if way.centre is not None and not LEAST_SCALE < way.scale < 1 / LEAST_SCALE:
         return True
     return float(np.median(np.hypot(*way.of(line).T))) < max(
