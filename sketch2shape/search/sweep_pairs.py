@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from sketch2shape.evidence import View
 from sketch2shape.ink import Group
 from sketch2shape.model import Floats
+from sketch2shape.search.tolerances import LEAST_TRACE, PEN_TRACE
 from sketch2shape.strokes import Skeleton, Strokes, trace_skeleton
 from sketch2shape.sweeps import (
     Cells,
@@ -48,6 +49,8 @@ TAPERS = 2
 """Ways that taper which are tried with one outline."""
 ENOUGH = 0.8
 """Value of a pair from which on it may be the right one: hidden lines are not counted as explained."""
+MOSTLY = 0.6
+"""The same of wireframes that are asked for alone: lines that crossings draw aside are not counted as explained."""
 MOST_HINTS = 2
 """Holes whose ellipses tell the shape of an outline's arcs, the largest."""
 LEAST_REACH, REACH = 4.0, 0.012
@@ -58,8 +61,6 @@ WHOLE = 0.9
 """Part of an outline's area from which on a line told more closely is still that outline."""
 WITHIN = 2.0
 """Pixels by which a hole lies inside an outline at least."""
-MOSTLY = 0.6
-"""The same where nothing else is asked for: lines that crossings draw aside are not counted as explained."""
 MOST_PRICED = 10
 """Pairs of a batch, those that explain most at a glance."""
 WORSE = 0.2
@@ -122,7 +123,7 @@ class Scene:
     @cached_property
     def strokes(self) -> list[Strokes]:
         """Straight strokes, finely and coarsely traced."""
-        fine = max(1.5, 0.08 * self.skeleton.pen_width)
+        fine = max(LEAST_TRACE, PEN_TRACE * self.skeleton.pen_width)
         coarse = max(COARSE * self.size, 1.5 * fine)
         return [trace_skeleton(self.skeleton, t, self.group.solid) for t in (fine, coarse)]
 
@@ -174,7 +175,7 @@ class Pair(NamedTuple):
     is_near  : whether the outline is that of the nearer face
     is_whole : whether all of the outline has an image on ink, hidden or not
     holes    : closed lines inside the outline, if it is whole
-    value    : see `Cells.value`
+    value    : see `Cells.value`; None before it is looked up
     """
 
     loop: Loop
@@ -182,10 +183,12 @@ class Pair(NamedTuple):
     is_near: bool = True
     is_whole: bool = False
     holes: tuple[Loop, ...] = ()
-    value: float = 0.0
+    value: float | None = None
 
     def valued(self, cells: Cells) -> Pair:
-        """With its value."""
+        """With its value, looked up once."""
+        if self.value is not None:
+            return self
         if self.is_whole:
             return self._replace(value=cells.value_of_wire((self.loop, *self.holes), self.way))
         return self._replace(value=cells.value(self.loop, self.way, is_near=self.is_near))
@@ -210,12 +213,16 @@ def pairs_of(scene: Scene, *, bowed: bool) -> Iterator[list[Pair]]:
     for source in sources:
         every = (p for p in _distinct(source(scene), scene.size) if not is_flat(p.way, p.loop.line, scene))
         ranked += [p.valued(scene.cells) for p in every]
-        ranked.sort(key=lambda p: -p.value)
+        ranked.sort(key=_worth, reverse=True)
         enough = ENOUGH if bowed else MOSTLY
-        if ranked and (ranked[0].value >= enough or (bowed and source is sources[-1])):
-            good = [p for p in ranked[:MOST_PRICED] if p.value >= ranked[0].value - WORSE]
+        if ranked and (_worth(ranked[0]) >= enough or (bowed and source is sources[-1])):
+            good = [p for p in ranked[:MOST_PRICED] if _worth(p) >= _worth(ranked[0]) - WORSE]
             ranked = ranked[len(good) :]
             yield good
+
+
+def _worth(pair: Pair) -> float:
+    return -np.inf if pair.value is None else pair.value
 
 
 def _distinct(pairs: Iterable[Pair], size: float) -> Iterator[Pair]:
@@ -239,9 +246,9 @@ def _moved(scene: Scene) -> Iterator[Pair]:
 def _drawn_together(scene: Scene) -> Iterator[Pair]:
     """Tapered objects and cones."""
     for loop in scene.loops[:MOST_OUTLINES]:
-        tapered = [Pair(loop, w) for w in ways_towards(loop, scene.skeleton, scene.meeting, scene.size)]
-        told = [scene.cells.value(p.loop, p.way) for p in tapered]
-        yield from (tapered[k] for k in np.argsort(told)[::-1][:TAPERS])
+        ways = ways_towards(loop, scene.skeleton, scene.meeting, scene.size)
+        tapered = [Pair(loop, way).valued(scene.cells) for way in ways]
+        yield from sorted(tapered, key=_worth, reverse=True)[:TAPERS]
     for loop in scene.ellipses:
         for centre in scene.meeting:
             point = Way(np.zeros(2), centre, 0.0)

@@ -27,7 +27,7 @@ from sketch2shape.fit import polished
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.search import Observed
-from sketch2shape.search.sweep_pairs import ALIKE, Pair, Scene, are_close, cut, evenly, is_flat, pairs_of
+from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Pair, Scene, are_close, cut, evenly, is_flat, pairs_of
 from sketch2shape.sweeps import (
     Outline,
     Sweep,
@@ -49,10 +49,10 @@ CLOSE = 40.0
 """Nats by which a sweep not yet improved may be worse than the best one where that explains all."""
 HOPEFUL = 12.0
 """Nats that may be gained where a simpler object is moved to the ink."""
+MOST_IMPROVED = 3
+"""Sweeps that are moved to the ink, the best of those that were begun."""
 MOST_GAINED = 150.0
 """Nats that a sweep gains at most by being moved to the ink; some 120 were seen where its holes were known."""
-MOST_IMPROVED = 3
-"""Of these, those that are moved to the ink."""
 APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
 LEANS, PLUMB = 6.0, 0.03
@@ -62,6 +62,8 @@ LEAST_BEHIND, BESIDE = 0.08, 0.02
 size within which it is beside that outline."""
 LIKELY_HOLE = 12.0
 """Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
+LEAST_NEAR, NEAR_PENS = 3.0, 0.5
+"""Pixels, and pens, within which a hole's ink lies on ink when it is moved to the back face."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -280,13 +282,12 @@ def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> Found
     return found
 
 
-def _moved(found: FoundSweep, scene: Scene, other: FoundSweep | None = None) -> FoundSweep:
-    """Moved to the ink, or else as it was, or the other one."""
+def _moved(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """Moved to the ink, if it is cheaper there."""
     moved = polished(found.sweep, scene.tree, scene.reach)
-    other = found if other is None else other
     if moved.has_arcs and is_flat(moved.way, moved.rings[0].line, scene):
-        return other
-    return min(other, _priced(scene, moved), key=lambda f: f.nats)
+        return found
+    return min(found, _priced(scene, moved), key=lambda f: f.nats)
 
 
 def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
@@ -295,7 +296,9 @@ def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
     if way.centre is not None:
         return found
     sloped = replace(way, slope=np.zeros(2), origin=found.sweep.rings[0].middle)
-    return _moved(replace(found, sweep=replace(found.sweep, way=sloped)), scene, found)
+    begun = replace(found, sweep=replace(found.sweep, way=sloped))
+    moved = _moved(begun, scene)
+    return found if moved is begun else moved
 
 
 def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
@@ -322,11 +325,11 @@ def _inner_loops(sweep: Sweep, scene: Scene) -> Iterator[Floats]:
     outer = sweep.rings[0].line.astype(np.float32)
     loops = [loop.line for loop in scene.loops]
     if sweep.way.centre is None:
-        reach = max(3.0, 0.5 * scene.skeleton.pen_width)
+        reach = max(LEAST_NEAR, NEAR_PENS * scene.skeleton.pen_width)
         loops = [*coherent_loops(scene.skeleton, sweep.way.shift, reach, scene.size)[1:], *loops]
     for loop in loops:
         some = loop[:: max(1, len(loop) // 24)]
-        if min(cv2.pointPolygonTest(outer, (float(x), float(y)), True) for x, y in some) > 2.0:
+        if min(cv2.pointPolygonTest(outer, (float(x), float(y)), True) for x, y in some) > WITHIN:
             yield loop
 
 

@@ -18,6 +18,10 @@ from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps.insides import Inside
 
+PROBES = 64
+"""Points that stand for a loop where it is moved."""
+CORNER, STRAY = 0.5, 0.012
+"""Angle of a corner, radians, and fraction of a loop's size by which the chords that tell it stray from the line."""
 LEAST_AREA = 2e-4
 """Part of the square of the drawing's size that a loop encloses at least."""
 MOST_LOOPS = 24
@@ -37,12 +41,6 @@ JOINT_GAPS = (3.0, 10.0)
 small angle draws the thinned line aside."""
 LEAST_COVERED = 0.42
 """Part of an ellipse that lies on ink: about half may be hidden."""
-
-
-PROBES = 64
-"""Points that stand for a loop where it is moved."""
-CORNER, STRAY = 0.5, 0.012
-"""Angle of a corner, radians, and fraction of a loop's size by which the chords that tell it stray from the line."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -56,7 +56,7 @@ class Way:
         return replace(self, centre=centre, origin=origin)
 
     def back(self) -> Way:
-        """From the back face to the front, for faces of one size."""
+        """From the back face to the front, for faces of one size; in perspective to first order of the slope."""
         return replace(self.moved(self.shift), shift=-self.shift)
 
     @property

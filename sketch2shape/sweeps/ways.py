@@ -17,7 +17,6 @@ import numpy as np
 from sketch2shape.geometry import line_crossings
 from sketch2shape.model import Bools, Floats
 from sketch2shape.strokes import Skeleton, Strokes, interpolated
-from sketch2shape.sweeps.insides import Inside
 from sketch2shape.sweeps.loops import Loop
 from sketch2shape.sweeps.sweep import Way
 
@@ -44,6 +43,8 @@ LEAST_STROKE = 0.07
 """Length of a line over the drawing's size from which it may tell a direction."""
 BESIDE = 2.5
 """Pixels by which a point must lie inside an outline to be hidden by it."""
+ON_THE_WAY, LEAST_PROBES = np.linspace(0.05, 1, 20), 8
+"""Parts of a way at which an outline may hide its image, and points of the image that have to be seen."""
 CORRELATED_CELLS, AROUND = 240, (8, 4)
 """Cells across the drawing's size in which it is compared with itself, and those around a shift that it has to beat:
 few for short shifts, as all ink lies on itself nearly unmoved."""
@@ -156,11 +157,6 @@ def _likeliest(found: list[_Probed], p: Floats, size: float) -> list[Way]:
     return [f.way for k, f in enumerate(some) if not any(f is g for g in some[:k])]
 
 
-def settled(way: Way, loop: Loop, skeleton: Skeleton, size: float, *, is_wire: bool = False) -> Way:
-    """The way moved by small steps to where the seen image of an outline lies nearest to the ink."""
-    return _settled(way, loop.probes, None if is_wire else loop.inside, skeleton, size / STEPS)
-
-
 def _probe(loop: Loop, moves: Floats, skeleton: Skeleton, size: float) -> Iterator[tuple[Floats, Floats]]:
     """(s,) part of the seen outline on ink, and part that is seen, for each of some series of moves.
 
@@ -200,24 +196,26 @@ def _peaks(hits: Floats, seen: Floats) -> Iterator[int]:
         value[max(k - 4, 0) : k + 5] = 0.0
 
 
-def _settled(way: Way, p: Floats, inside: Inside | None, skeleton: Skeleton, step: float) -> Way:
-    """The way moved by small steps to where the seen outline lies nearest to the ink."""
+def settled(way: Way, loop: Loop, skeleton: Skeleton, size: float) -> Way:
+    """The way moved by small steps to where the seen image of an outline lies nearest to the ink.
+
+    size : of the drawing, pixels
+    """
+    p, step = loop.probes, size / STEPS
 
     def cost(w: Way) -> float:
         to = w.of(p)
-        at = p + to
-        if inside is not None:
-            ray = p[:, None] + np.linspace(0.05, 1, 20)[:, None] * to[:, None]
-            at = at[~inside.holds(ray, BESIDE).any(axis=1)]
-        if len(at) < 8:
+        ray = p[:, None] + ON_THE_WAY[:, None] * to[:, None]
+        at = (p + to)[~loop.inside.holds(ray, BESIDE).any(axis=1)]
+        if len(at) < LEAST_PROBES:
             return np.inf
         off = interpolated(skeleton.distance, at)
         return float(np.minimum(off, 3 * step).mean())
 
     best, value = way, cost(way)
-    for size in (step, 0.5 * step, 0.25 * step, 0.5):
+    for by in (step, 0.5 * step, 0.25 * step, 0.5):
         for _ in range(3):
-            ways = list(_steps(best, size, float(np.hypot(*best.of(p[:1])[0]))))
+            ways = list(_steps(best, by, float(np.hypot(*best.of(p[:1])[0]))))
             costs = [cost(w) for w in ways]
             k = int(np.argmin(costs))
             if costs[k] >= value - 1e-6:
