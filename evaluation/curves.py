@@ -48,10 +48,54 @@ def has_curves(truth: Thing) -> bool:
 
 
 def judge(truth: Thing, answers: Sequence[Thing]) -> Verdict:
-    """Exactness of what was reported for a drawing of one object with arcs or an apex."""
+    """Exactness of what was reported for a drawing of one object with arcs or an apex.
+
+    Either face may be called f1. But dashes and hidden lines left out tell which face is in front, and then it must be
+    the same; a wireframe does not tell. Truths without `front` call the faces as an answer has to.
+    """
     if len(answers) != 1:
         return Verdict(False, f"{len(answers)} objects reported")
-    answer = answers[0]
+    answer, other = answers[0], _exchanged(answers[0])
+    if truth["lines"] == "wire":
+        verdicts = [_as_named(truth, answer), _as_named(truth, other)]
+        return next((v for v in verdicts if v.exact), verdicts[0])
+    seen = truth.get("front") and answer.get("solid", {}).get("camera")
+    if seen and front_of(answer) != truth["front"]:
+        verdict = _as_named(truth, other)
+        mirrored = not verdict.exact and _as_named(truth, answer).exact
+        return Verdict(False, "the face behind is taken for the one in front") if mirrored else verdict
+    return _as_named(truth, answer)
+
+
+def front_of(answer: Thing) -> str:
+    """The name of the face that lies nearer to the viewer in the answered solid."""
+    solid = answer["solid"]
+    camera = np.array(solid["camera"], float)
+    turn = camera[:, :3]
+    # x right, y down and the way into the picture are right-handed; a parallel view has no third row to tell the way.
+    inwards = np.cross(turn[0], turn[1]) if not turn[2].any() else turn[2] * np.sign(np.linalg.det(turn))
+    near, far = (_in_space(answer, face).mean(0) @ inwards for face in ("f1", "f2"))
+    return "f1" if near < far else "f2"
+
+
+def _in_space(answer: Thing, face: str) -> Floats:
+    """(k, 3) points of the outer ring of a face of the answered solid: its vertices and those along its arcs."""
+    solid, holes = answer["solid"], answer.get("holes") or []
+    start = 0 if face == "f1" else len(answer["f1"]) + sum(len(hole["f1"]) for hole in holes)
+    vertices = np.array(solid["vertices"][start : start + len(answer[face])], float).reshape(-1, 3)
+    along = [np.array(a["points"], float) for a in solid.get("arcs") or [] if (a["face"], a["hole"]) == (face, None)]
+    return np.vstack([vertices, *along])
+
+
+def _exchanged(thing: Thing) -> Thing:
+    """The same object, its faces called by each other's names."""
+    holes = [{"f1": hole["f2"], "f2": hole["f1"]} for hole in thing.get("holes") or []]
+    arcs = [a | {"face": "f1" if a["face"] == "f2" else "f2"} for a in _arcs(thing)]
+    return thing | {"f1": thing["f2"], "f2": thing["f1"], "holes": holes, "arcs": arcs}
+
+
+def _as_named(truth: Thing, answer: Thing) -> Verdict:
+    """Exactness where f1 and f2 of the answer stand for those of the truth."""
     if len(answer.get("holes") or []) != len(truth["holes"]):
         return Verdict(False, f"{len(answer.get('holes') or [])} holes instead of {len(truth['holes'])}")
     worst = 0.0

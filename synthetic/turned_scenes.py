@@ -169,8 +169,15 @@ def turned_truth(made: Turned, lines: str) -> dict[str, Any]:
         "smooth": smooth,
         "arcs": arcs,
         "silhouettes": np.round(made.outlines, 3).tolist(),
+        "front": _front(made),
         "solid": {"arcs": solid_arcs, "depth": made.depth, "scale": made.scale, "vertices": _solid_vertices(made)},
     }
+
+
+def _front(made: Turned) -> str:
+    """The face whose middle lies nearer to the viewer."""
+    keys = made.view(np.array([[0, 0, 0], [0, 0, made.depth]], float))[:, 2]
+    return "f1" if keys[0] < keys[1] else "f2"
 
 
 def _place(face: str, ring: int, start: int, n: int) -> dict[str, Any]:
