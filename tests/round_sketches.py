@@ -2,7 +2,7 @@
 
 import cv2
 import numpy as np
-from sketches import line, paper
+from sketches import paper
 
 from sketch2shape.sweeps import Circle, Frame, Outline, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
@@ -30,6 +30,23 @@ def arch(frame=FACING):
 def half_disc(frame=FACING):
     """A half circle on its diameter."""
     return Outline(frame, np.array([[120.0, 240], [300, 240]]), np.array([-1.0, 0.0]), np.zeros(2, bool))
+
+
+def plate(way):
+    """A plate with rounded corners and two round holes, face on."""
+    r, k = 60.0, np.tan(np.pi / 8)
+    x = np.array([60.0, 60 + r, 400 - r, 400])
+    y = np.array([120.0, 120 + r, 340 - r, 340])
+    places = [(1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1)]
+    vertices = np.array([[x[i], y[j]] for i, j in places])
+    outer = Outline(FACING, vertices, np.array([0, k, 0, k, 0, k, 0, k]) * -1.0, np.ones(8, bool))
+    return Sweep((outer, ellipse(140.0, 230.0, 35.0, FACING), ellipse(300.0, 230.0, 55.0, FACING)), way)
+
+
+def slot(way, *, tangents=False):
+    """A plate with round ends, face on."""
+    vertices = np.array([[140.0, 150], [300, 150], [300, 290], [140, 290]])
+    return Sweep((Outline(FACING, vertices, np.array([0, -1.0, 0, -1.0]), np.ones(4, bool)),), way, tangents=tangents)
 
 
 CYLINDER = Sweep((ellipse(),), Way(DOWN))
@@ -75,6 +92,3 @@ def drawn(sweep, lines="wire", width=2):
                     at = np.concatenate([made.points[run] - step, (made.points[run] + step)[-1:]])
                     polyline(picture, at, width, dashed=hidden and lines == "dashed")
     return picture
-
-
-__all__ = ["ARCH", "CONE", "CYLINDER", "PYRAMID", "TUBE", "arch", "drawn", "ellipse", "half_disc", "line", "polyline"]

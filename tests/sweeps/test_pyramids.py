@@ -36,9 +36,10 @@ def test_of_a_base_half_hidden_the_rest_follows():
     assert min(np.hypot(*(s.rings[0].vertices - hidden).T).min() for s in found) < 6
 
 
-def test_a_line_that_crosses_a_side_makes_no_corner_of_the_base():
+@pytest.mark.parametrize("end", [[160.0, 320.0], [165.0, 300.0]], ids=["crosses", "ends there"])
+def test_a_line_to_a_side_makes_no_corner_of_the_base(end):
     picture = drawn(PYRAMID, "wire")
-    polyline(picture, np.array([[225.0, 100.0], [165.0, 300.0], [160.0, 320.0]]))
+    polyline(picture, np.array([[225.0, 100.0], [165.0, 300.0], end]))
     skeleton = thin(ink_of(picture))
     size = float(np.hypot(*np.ptp(skeleton.points, axis=0)))
     strokes = trace_skeleton(skeleton, 1.5)
@@ -47,3 +48,14 @@ def test_a_line_that_crosses_a_side_makes_no_corner_of_the_base():
     off = [np.linalg.norm(true[:, None] - s.rings[0].vertices, axis=2).min(axis=1).max() for s in found]
     sides = [len(s.rings[0].vertices) for s in found]
     assert min(o for o, n in zip(off, sides, strict=True) if n == 4) < 4
+    widest = [widest_angle(s.rings[0].vertices) for s in found]
+    # a corner on the line of its neighbours has a straight angle, a base that folds back on itself none that is wide
+    assert max(widest) < np.pi - 0.1
+    assert min(widest) > np.pi / 3 - 0.1
+
+
+def widest_angle(ring):
+    """The widest angle of a polygon, radians."""
+    before, after = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
+    u, v = (side / np.linalg.norm(side, axis=1)[:, None] for side in (before, after))
+    return float(np.arccos(np.clip((u * v).sum(axis=1), -1, 1)).max())

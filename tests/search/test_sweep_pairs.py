@@ -1,0 +1,115 @@
+"""Pairs of an outline and a way to the back face: what is looked at first, and what leads nowhere."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from round_sketches import FACING, drawn, ellipse, plate, slot
+from scipy.spatial import cKDTree
+from sketches import ink_of
+
+from sketch2shape.ink import split_groups
+from sketch2shape.search.search import observed
+from sketch2shape.search.sweep_pairs import (
+    BARELY,
+    LEAST_SCALE,
+    SHALLOW,
+    SHALLOW_PENS,
+    Scene,
+    are_close,
+    evenly,
+    is_flat,
+    pairs_of,
+)
+from sketch2shape.sweeps import Sweep, Way
+from sketch2shape.sweeps.outlines import polygon
+
+SIZE = 400.0
+PLAIN = SimpleNamespace(size=SIZE, skeleton=SimpleNamespace(pen_width=2.0))
+"""A scene of which nothing is asked but the drawing's size and the pen's."""
+RIM = ellipse(y=280.0).line
+"""180 pixels wide and 72 high about (240, 280)."""
+
+
+def first_pair(sweep):
+    """The likeliest pair of a wireframe, and by how many pixels its lines stray from a rim of the sweep."""
+    (group,) = split_groups(ink_of(drawn(sweep, "wire")))
+    seen = observed(group)
+    pair = next(pairs_of(Scene(seen.drawn, seen.skeleton, seen.view), bowed=True))[0]
+    front = [evenly(ring.line) for ring in sweep.rings]
+    rims = cKDTree(np.concatenate([*front, *(line + sweep.way.shift for line in front)]))
+    found = np.concatenate([loop.line for loop in (pair.loop, *pair.holes)]) + group.offset
+    return pair, float(rims.query(found)[0].max())
+
+
+def test_the_first_pair_of_a_wire_plate_is_whole_and_has_its_holes():
+    sweep = plate(Way(np.array([34.0, -26])))
+    pair, off = first_pair(sweep)
+    assert pair.is_whole
+    assert len(pair.holes) == 2
+    assert np.abs(np.abs(pair.way.shift) - [34, 26]).max() < 1
+    assert off < 6
+    outside = [pair.loop.inside.holds(hole.probes, 2.0) for hole in pair.holes]
+    assert np.all(outside)
+
+
+def test_close_loops_replace_rough_ones():
+    box = polygon(np.array([[100.0, 130], [290, 130], [290, 330], [100, 330]]))
+    sweep = Sweep((box, ellipse(195.0, 230.0, 25.0, FACING)), Way(np.array([150.0, -58])))
+    pair, off = first_pair(sweep)
+    assert len(pair.holes) == 1
+    # the rough loop cuts corners, where the lines between the faces lie on themselves for a while
+    assert off < 5
+
+
+def test_a_closed_line_beside_the_outline_is_no_hole():
+    way = Way(np.array([90.0, -60]))
+    beside = polygon(np.array([[320.0, 190], [400, 190], [400, 270], [320, 270]]))
+    pair, _ = first_pair(Sweep((*slot(way).rings, beside, ellipse(220.0, 220.0, 40.0, FACING)), way))
+    (hole,) = pair.holes
+    assert np.ptp(hole.line, axis=0) == pytest.approx([80, 80], abs=6)
+
+
+def point(x, y):
+    return Way(np.zeros(2), np.array([x, y]), 0.0)
+
+
+@pytest.mark.parametrize(
+    ("y", "flat"),
+    [(280, True), (250, True), (244 - 0.8 * BARELY * SIZE, True), (244 - 1.2 * BARELY * SIZE, False), (90, False)],
+    ids=["middle", "inside", "barely outside", "outside", "far away"],
+)
+def test_a_point_inside_its_round_base_or_barely_outside_leads_nowhere(y, flat):
+    assert is_flat(point(240.0, y), RIM, PLAIN) is flat
+
+
+@pytest.mark.parametrize(("part", "flat"), [(0.9, True), (1.1, False)])
+def test_a_short_shift_leads_nowhere_for_the_drawing_and_for_the_pen(part, flat):
+    broad = SimpleNamespace(size=SIZE, skeleton=SimpleNamespace(pen_width=8.0))
+    assert is_flat(Way(np.array([0.0, part * SHALLOW * SIZE])), RIM, PLAIN) is flat
+    assert is_flat(Way(np.array([part * SHALLOW_PENS * 8.0, 0.0])), RIM, broad) is flat
+
+
+@pytest.mark.parametrize(
+    ("scale", "flat"), [(0.9 * LEAST_SCALE, True), (0.4, False), (1.8, False), (1.1 / LEAST_SCALE, True)]
+)
+def test_a_face_far_smaller_than_the_other_is_a_point(scale, flat):
+    assert is_flat(Way(np.zeros(2), np.array([240.0, -200]), scale), RIM, PLAIN) is flat
+
+
+def test_a_closed_line_is_sampled_a_pixel_apart_all_around():
+    square = np.array([[10.0, 10], [30, 10], [30, 50], [10, 50]])
+    points = evenly(square)
+    assert len(points) == 120
+    assert np.hypot(*(np.roll(points, -1, axis=0) - points).T) == pytest.approx(1.0)
+    assert len(evenly(square / 20)) == 12
+
+
+def test_lines_are_close_by_their_boxes_on_all_four_sides():
+    for side in ([4.0, 0], [-4.0, 0], [0, 4.0], [0, -4.0]):
+        moved = RIM + side
+        assert are_close(RIM, moved, 4.1)
+        assert not are_close(RIM, moved, 3.9)
+    wider = RIM * [1.1, 1.0] - [24.0, 0]
+    assert not are_close(RIM, wider, 8.9)
+    assert are_close(RIM, wider, 9.1)
