@@ -43,6 +43,11 @@ STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
 
 
+def near_line(noise: float) -> float:
+    """Pixels from a line up to which ink belongs to it, under a hand of this noise, pixels."""
+    return WITHIN * noise + BLUR
+
+
 class Energy(NamedTuple):
     """The parts of the energy, nats.
 
@@ -129,7 +134,7 @@ class Comparison:
         return self._told[noise]
 
     def _priced(self, noise: float) -> Energy:
-        near = self.off <= WITHIN * noise + BLUR
+        near = self.off <= near_line(noise)
         missing, bare = float(self.wanted[~near].sum()), float(self.hidden[~near].sum())
         digit = float(np.log(max(self.view.size / noise, 2.0)))
         (r1, f1), (r2, f2) = self._ink(self.every, noise), self._ink(self.seen, noise)
@@ -145,7 +150,7 @@ class Comparison:
         """Nats for how ink strays from its edge, and for foreign ink."""
         distance, edge = nearest
         view = self.view
-        near = distance <= WITHIN * noise + BLUR
+        near = distance <= near_line(noise)
         spread = 0.5 * (distance[near] / noise) ** 2 + np.log(noise / view.noises[0])
         residual = float((view.length[near] * spread).sum()) / max(view.pen, CORRELATED * view.size)
         crowd = np.bincount(edge[near], view.length[near], len(self.lengths)) - CROWDED * self.lengths

@@ -10,7 +10,7 @@ ONE_WAY = 0.1
 """Radians between edges of one direction."""
 PLACES = ((np.arange(24) + 0.5) / 24)[:, None]
 """Where on an edge it is looked at."""
-MOSTLY = 0.5
+HALF = 0.5
 """Fraction of an edge from which on it lies along another, or is seen."""
 
 
@@ -34,8 +34,8 @@ def coincidences(a: Floats, span: Floats, length: Floats, seen: Floats, reach: f
 
     seen : (e,) float, fraction of each edge that is
     """
-    shown = seen > MOSTLY
-    laid = (beside(a, span, length, reach).mean(axis=1) > MOSTLY) & shown & shown[:, None]
+    shown = seen > HALF
+    laid = (beside(a, span, length, reach).mean(axis=1) > HALF) & shown & shown[:, None]
     # of two as long as each other, one counts
     rank = np.argsort(np.argsort(length, kind="stable"))
     return int((laid & (rank[:, None] < rank)).any(axis=1).sum())

@@ -24,6 +24,8 @@ PERFECT = 0.995
 """Score that leaves nothing to be found."""
 FIRST_LOOK = 16
 """Samples of an edge at the first, quick look."""
+ALL_DRAWN, EACH_DRAWN = 0.97, 0.8
+"""Part of the length that should be drawn, and of that of each edge, from which on it is."""
 WHOLE = 0.75
 """Fraction of an edge with ink from which on it is drawn."""
 DOUBTFUL = 0.1
@@ -53,6 +55,11 @@ class Evidence:
     weakest: float
     lines: Lines
     drawn: Bools
+
+    @property
+    def is_all_drawn(self) -> bool:
+        """Whether all that should have been drawn has, whatever else has been drawn."""
+        return self.support > ALL_DRAWN and self.weakest > EACH_DRAWN
 
 
 def most_possible(stacked: Stack, sheet: Sheet) -> Floats:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sketch2shape.evidence.energy import Comparison, Energy
+from sketch2shape.evidence.energy import Comparison, Energy, near_line
 from sketch2shape.evidence.witness import attached, closed
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.sweeps import Sweep
@@ -27,6 +27,8 @@ SWEEP_WITNESSES = (
     "lone",
 )
 """Names of the witnesses, in order."""
+FEW_LINES = 4
+"""Lines with ink up to which a drawing may as well be a flat figure."""
 MOST_GAP = 150.0
 """Nats to the next best answer beyond which more say no more."""
 
@@ -51,7 +53,7 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
             attached(view, left, distance, view.size) / ink,
             closed(view, left) / view.size,
             np.log1p(energy.missing),
-            np.log(energy.noise / (0.4 + 0.05 * view.pen)),
+            np.log(energy.noise / view.noises[0]),
             np.log1p(float(np.clip(gap, 0.0, MOST_GAP))),
             np.log(sweep.shape_numbers),
             hidden if energy.lines == "removed" else 0.0,
@@ -76,8 +78,4 @@ def unexplained_part(energy: Energy, compared: Comparison) -> float:
 def _left(energy: Energy, compared: Comparison) -> tuple[Bools, Floats, Ints]:
     """(k,) which ink lies on no line, its distance to the nearest one, pixels, and that line's number."""
     distance, edge = compared.seen if energy.lines == "removed" else compared.every
-    return distance > 3 * energy.noise + 0.5, distance, edge
-
-
-FEW_LINES = 4
-"""Lines with ink up to which a drawing may as well be a flat figure."""
+    return distance > near_line(energy.noise), distance, edge

@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.evidence.sheet import MOST_POINTS
 from sketch2shape.ink import Group
 from sketch2shape.model import Floats, Ints
 from sketch2shape.strokes import Skeleton
 
-MOST_POINTS = 2000
-"""Skeleton pixels that are compared, at most."""
 MOST_KNOWN = 1000
 """The same of lines that are known, which no thinning has roughened."""
 UNIT = 0.01

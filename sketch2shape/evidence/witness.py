@@ -8,8 +8,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.evidence.energy import Comparison, Energy, nearest_edges
-from sketch2shape.evidence.overlaps import ONE_WAY, PLACES, beside
+from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges
+from sketch2shape.evidence.overlaps import HALF, ONE_WAY, PLACES, beside
 from sketch2shape.evidence.score import Evidence
 from sketch2shape.evidence.view import View
 from sketch2shape.hypotheses import Rings, frame
@@ -49,8 +49,6 @@ BESIDE = 0.35
 """Pens between two edges drawn along each other."""
 BLUR, PEN_BOW = 0.5, 0.1
 """Pixels, and pens more, by which the ink of a straight edge may seem to bow."""
-HALF_SEEN = 0.5
-"""Fraction of an edge that is seen from which on another edge may lie along it."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 
@@ -62,7 +60,7 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
     distance, edge = nearest_edges(view.points, a, span)
-    reach = 3 * energy.noise + 0.5
+    reach = near_line(energy.noise)
     left = distance > reach
     ink = float(view.length.sum()) + 1e-9
     size = view.size
@@ -75,7 +73,7 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
             closed(view, left) / size,
             np.log1p(_loose(view, a, span, reach)) if left.any() else 0.0,
             1.0 - evidence.weakest,
-            np.log(energy.noise / (0.4 + 0.05 * view.pen)),
+            np.log(energy.noise / view.noises[0]),
             np.log(m),
             1.0 - float(evidence.drawn.mean()),
             _bend(view, ~left, edge, a, span / length[:, None], length),
@@ -155,6 +153,6 @@ def _directions(span: Floats, length: Floats) -> int:
 
 def _doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:
     """Fraction of the length of what is seen of edges (shown: (e,), fraction of each) that lies along another."""
-    laid = beside(a, span, length, reach) & (shown > HALF_SEEN)
+    laid = beside(a, span, length, reach) & (shown > HALF)
     seen = length * shown
     return float((laid.any(axis=2).mean(axis=1) * seen).sum() / (seen.sum() + 1e-9))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sketch2shape.fit.polishing import polished
-from sketch2shape.fit.refinement import on_map, refine
+from sketch2shape.fit.refinement import EXACT, on_map, refine
 from sketch2shape.fit.simplification import simplified
 
-__all__ = ["on_map", "polished", "refine", "simplified"]
+__all__ = ["EXACT", "on_map", "polished", "refine", "simplified"]

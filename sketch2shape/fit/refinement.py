@@ -17,7 +17,9 @@ from sketch2shape.hypotheses import Rings, frame, split
 from sketch2shape.model import Bools, Floats, Ints
 
 STEPS = 3
+"""Least-squares steps at most."""
 MOST_POINTS = 1500
+"""Skeleton pixels that edges look for their lines in."""
 CLAIM_AGAIN = 0.6
 """Way of a vertex, as a part of the reach, after which edges look for their ink anew."""
 SETTLED = 0.25
@@ -25,7 +27,7 @@ SETTLED = 0.25
 BLUR, FINE = 1.0, 0.15
 """Pixels by which vertices may miss a simpler plane map than the drawing's, and where lines are known exactly."""
 EXACT = 0.05
-"""Noise of lines, pixels, up to which they are known exactly: they came as vectors and were drawn by a ruler."""
+"""Noise of lines, pixels, that no pen on paper and no pixels have: they came as vectors, drawn by a ruler."""
 HOLD = 0.03
 """Weight that holds every vertex to where it started, so that the equations are always well posed."""
 

@@ -99,8 +99,8 @@ class Attempt:
 
 
 def is_sound(evidence: Evidence) -> bool:
-    """Whether all that should have been drawn has, whatever else has been drawn."""
-    return evidence.score >= POOR and evidence.support > 0.97 and evidence.weakest > 0.8
+    """Whether all that should have been drawn has, and it explains enough to be an answer."""
+    return evidence.score >= POOR and evidence.is_all_drawn
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,6 +15,7 @@ from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.search import Found, find, observed
 from sketch2shape.search.sweeping import SLIGHT, FoundSweep, find_sweep
 from sketch2shape.strokes import Skeleton
+from sketch2shape.sweeps import LEAST_PATH
 
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
@@ -22,8 +23,6 @@ LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 BOWED, SOME_BOWED = 0.08, 0.02
 """Part of the ink on bowed lines from which on arcs are looked for first, and from which on at all."""
-LEAST_LENGTH = 0.05
-"""Length over the drawing's size from which a line may be an arc."""
 STRAY, SHORT, SHORT_PENS = 1.0, 5.0, 3.0
 """Pixels by which chords may stray from a line; pixels and pens of length below which they say nothing, as a pen
 rounds corners."""
@@ -109,7 +108,7 @@ def _is_proper(swept: FoundSweep) -> bool:
 def bowed_part(skeleton: Skeleton, size: float) -> float:
     """Part of the ink that lies on bowed lines, 0..1."""
     short = max(SHORT, SHORT_PENS * skeleton.pen_width)
-    bowed = sum(_bowed_length(p, LEAST_LENGTH * size, short) for p in skeleton.paths)
+    bowed = sum(_bowed_length(p, LEAST_PATH * size, short) for p in skeleton.paths)
     return bowed / max(sum(map(len, skeleton.paths)), 1)
 
 

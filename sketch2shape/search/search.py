@@ -27,12 +27,12 @@ from sketch2shape.evidence import (
     observe,
     witnesses,
 )
-from sketch2shape.fit import on_map, refine, simplified
+from sketch2shape.fit import EXACT, on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group
 from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
-from sketch2shape.search.tolerances import LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
+from sketch2shape.search.tolerances import LEAST_INK, LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
 from sketch2shape.strokes import Skeleton, bridged, thin
 
 HOPELESS = 0.1
@@ -53,8 +53,6 @@ COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
 MAIN = 0.5
 """Part of the ink from which on an answer that is drawn whole tells the noise of the hand, whatever else is drawn."""
-EXACT = 0.05
-"""Noise of lines, pixels, that no pen on paper and no pixels have: of lines that come as vectors."""
 DENSE = 150
 """Strokes beyond which ink that the first round cannot explain at all is a scribble."""
 TANGLED = 0.16
@@ -116,7 +114,7 @@ class Observed:
 def observed(group: Group) -> Observed | None:
     """A group of ink made ready for the search; None if it is no drawing of an object."""
     skeleton = thin(group.ink)
-    if len(skeleton.points) < 30 or _is_no_drawing(group, skeleton):
+    if len(skeleton.points) < LEAST_INK or _is_no_drawing(group, skeleton):
         return None
     drawn = group
     whole = bridged(skeleton, group.solid, max(LEAST_TRACE, PEN_TRACE * skeleton.pen_width))
@@ -217,7 +215,7 @@ def _hand(found: list[Found]) -> float:
 
 def _is_all_drawn(evidence: Evidence) -> bool:
     """Whether all that should have been drawn has, and it is a good part of the drawing."""
-    return evidence.support > 0.97 and evidence.weakest > 0.8 and evidence.explained > MAIN
+    return evidence.is_all_drawn and evidence.explained > MAIN
 
 
 def _total(found: Found) -> float:

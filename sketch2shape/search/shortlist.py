@@ -33,8 +33,7 @@ SHALLOWEST = 2.5
 VAIN, HOPE = 88, 0.4
 """So many hypotheses are looked at if none of them scores as much: the best come early."""
 LEAST = 0.5
-"""Hypotheses that cannot reach this score are not judged: refinement would not save them."""
-
+"""Score below which a hypothesis is none; such as cannot reach it are not judged: refinement would not save them."""
 ALIKE = 1e-3
 """Difference of scores up to which hypotheses explain a drawing alike: of those the one thought of first is kept."""
 

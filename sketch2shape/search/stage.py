@@ -20,12 +20,9 @@ from sketch2shape.ink import Group, split_groups
 from sketch2shape.lifting import choose_front
 from sketch2shape.model import FacePair, Floats, Ink, TwoFaceObject, checked_count
 from sketch2shape.search.attempts import GOOD, wire_hypotheses
-from sketch2shape.search.shortlist import MOST_HYPOTHESES, verified
-from sketch2shape.search.tolerances import Round, corner_graph, rounds_for, vertex_candidates
+from sketch2shape.search.shortlist import LEAST, MOST_HYPOTHESES, verified
+from sketch2shape.search.tolerances import LEAST_INK, Round, corner_graph, rounds_for, vertex_candidates
 from sketch2shape.strokes import DetectedCorners, Skeleton, ink_of, join_ends, thin, trace_skeleton
-
-LEAST = 0.5
-"""A hypothesis that explains less than this is none."""
 
 
 def separate_faces(
@@ -67,7 +64,7 @@ def separate_faces(
 def _verified(group: Group, corners: Floats | None) -> Iterator[tuple[Rings, Evidence]]:
     """Hypotheses for one group of ink, round by round until one explains it."""
     skeleton = thin(group.ink)
-    if len(skeleton.points) < 30:
+    if len(skeleton.points) < LEAST_INK:
         return
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     for tolerant in rounds_for(size, group.ink.pen_width):

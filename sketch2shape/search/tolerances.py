@@ -18,6 +18,8 @@ from sketch2shape.ink import Group
 from sketch2shape.model import Floats
 from sketch2shape.strokes import Corners, Skeleton, Strokes, are_covered, crossings, join_ends, trace_skeleton
 
+LEAST_INK = 30
+"""Pixels of the skeleton below which ink is no drawing of an object."""
 LEAST_TRACE, PEN_TRACE = 1.5, 0.08
 """How far a ruled stroke may stray from its line, pixels at least, and in pens."""
 MOST_CORNERS = 120

@@ -29,7 +29,7 @@ MOST_LOOPS = 24
 LEAST_BOW = 0.06
 """Height of a bowed line over its chord from which it can be an arc of some turn."""
 LEAST_PATH = 0.05
-"""Length of a bowed line over the drawing's size."""
+"""Length over the drawing's size from which a line may be an arc."""
 LEAST_COHERENT = 0.025
 """Extent of a line that lies on ink when it is moved, over the drawing's size: a small hole."""
 MOST_ELLIPSES = 10
