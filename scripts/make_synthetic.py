@@ -27,6 +27,23 @@ ONE_EACH = (
     *("annotated_removed", "shaded_wire", "shaded_removed", "dots", "diagonals", "cut"),
 )
 NEGATIVES = (0, 1, 3, 5, 8, 9, 12, 13, 15, 17)
+OTHERS = (0, 1, 2, 12, 4, 5, 6, 7, 8)
+"""Every solid of another kind once; number 3, a scan, is too large a file."""
+CURVED = (
+    *(("cylinder_wire", 2, ""), ("cylinder_removed", 4, ""), ("cylinder_dashed", 7, ""), ("tube_dashed", 2, "")),
+    *(("tube_removed", 6, ""), ("plate_wire", 5, ""), ("plate_dashed", 6, ""), ("plate_dashed", 4, "")),
+    *(("plate_removed", 5, ""), ("arcs_wire", 1, "slot"), ("arcs_dashed", 8, ""), ("arcs_removed", 9, "")),
+    *(("arcs_removed", 2, "fillet"), ("arcs_dashed", 6, ""), ("arcs_dashed", 4, ""), ("arcs_removed", 8, "")),
+    *(("arcs_wire", 5, ""), ("arcs_dashed", 1, "round end"), ("arcs_removed", 6, ""), ("cone_wire", 2, "")),
+    *(("cone_dashed", 3, ""), ("cone_removed", 4, ""), ("frustum_wire", 1, ""), ("frustum_removed", 7, "")),
+    *(("frustum_dashed", 5, "rounded rectangle"), ("pyramid_wire", 1, "3"), ("pyramid_dashed", 1, "12")),
+    *(("pyramid_dashed", 2, "5"), ("pyramid_removed", 4, ""), ("pyramid_removed", 5, "6"), ("pyramid_wire", 6, "6")),
+    *(("curved_annotated", 4, ""), ("curved_annotated", 7, ""), ("curved_annotated", 9, "")),
+    *(("curved_annotated", 18, ""), ("curved_annotated", 34, ""), ("curved_persp_wire", 1, "")),
+    *(("curved_persp_dashed", 5, ""), ("curved_persp_removed", 2, ""), ("curved_below_removed", 1, "")),
+    *(("curved_below_dashed", 5, ""), ("curved_sketch", 4, ""), ("curved_sketch", 6, ""), ("curved_sketch", 7, "")),
+)
+"""More with arcs and points: category, number (which chooses the pen), and the outline where it is chosen."""
 
 
 def main() -> None:
@@ -37,8 +54,10 @@ def main() -> None:
         draw("negative", SEED, index).save(out)
     for name in sorted(HARD):
         of_three_styles = name.endswith(("_wire", "_dashed", "_removed")) and not name.startswith("tinted")
-        for index in range(1 if of_three_styles else 2):
+        for index in OTHERS if name == "no_others" else range(1 if of_three_styles else 2):
             draw(name, SEED, index).save(out)
+    for name, index, shape in CURVED:
+        draw(name, SEED, index, shapes=shape or None).save(out)
 
 
 if __name__ == "__main__":

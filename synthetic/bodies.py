@@ -5,7 +5,7 @@ Curved bodies are given by many small faces; their smooth edges are drawn only w
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,8 +55,11 @@ class Line:
     hidden: bool
 
 
-def drawn_lines(body: Body, view: View) -> list[Line]:
-    """The lines of a body as they are drawn, seen and hidden parts apart, chords of one curve joined."""
+def drawn_lines(body: Body, view: View, *, wire: bool = False) -> list[Line]:
+    """The lines of a body as they are drawn, chords of one curve joined.
+
+    wire : nothing is hidden, so that a rim is one line; otherwise seen and hidden parts are apart
+    """
     projected = view(body.vertices)
     faces = {k: f for k, rings in enumerate(body.faces) if (f := face_of(projected, [np.array(r) for r in rings]))}
     facing = {k: _faces_viewer(projected, rings[0]) for k, rings in enumerate(body.faces)}
@@ -64,7 +67,7 @@ def drawn_lines(body: Body, view: View) -> list[Line]:
     for edge, beside in body.edges().items():
         if edge not in body.smooth or len({facing[k] for k in beside}) == 2:
             shown.append(edge)
-    parts = seen_parts(projected, list(faces.values()), shown)
+    parts = [(*e, [(0.0, 1.0)]) for e in shown] if wire else seen_parts(projected, list(faces.values()), shown)
     rims, outlines = ([p for p in parts if (p[:2] in body.smooth) == smooth] for smooth in (False, True))
     # An outline touches the rims it ends at: joined with its own kind only.
     return [line for some in (rims, outlines) for hidden in (False, True) for line in _chains(projected, some, hidden)]
@@ -147,20 +150,40 @@ def _around(points: Floats, chosen: Ints, normal: Floats) -> Ring:
     return tuple(int(i) for i in chosen[order][::-1])
 
 
-def turned(radii: tuple[float, float], height: float, sides: int) -> Body:
-    """A cylinder, cone (second radius 0) or truncated cone, standing: the first ring below, the second above."""
-    angle = 2 * np.pi * np.arange(sides) / sides
-    circle = np.c_[np.cos(angle), np.zeros(sides), np.sin(angle)]
-    low, high = np.array([0, height / 2, 0]), np.array([0, -height / 2, 0])
-    if radii[1] == 0:
-        points = np.vstack([radii[0] * circle + low, high[None]])
-        body = convex(points)
-        smooth = {(i, sides) for i in range(sides)}
-    else:
-        points = np.vstack([radii[0] * circle + low, radii[1] * circle + high])
-        body = convex(points)
-        smooth = {(i, i + sides) for i in range(sides)}
-    return Body(body.vertices, body.faces, frozenset(smooth))
+def stacked(slabs: Sequence[tuple[Floats, float]], smooth: Sequence[bool]) -> Body:
+    """Slabs one upon another, the lowest first, each with a ring (k, 2) of x, z and a height.
+
+    smooth : whether the side of a slab is one curved face
+    """
+    points: list[Floats] = []
+    faces: list[tuple[Ring, ...]] = []
+    soft: set[Edge] = set()
+    level, start, below = 0.0, 0, None
+    for (ring, height), curved in zip(slabs, smooth, strict=True):
+        # Positive area in x, z: seen from above the ring turns against the clock.
+        outline, k = (ring if _area(ring) > 0 else ring[::-1]), len(ring)
+        points += [np.insert(outline, 1, y, axis=1) for y in (level, level - height)]
+        low, high = range(start, start + k), range(start + k, start + 2 * k)
+        sides = [(i, (i + 1) % k) for i in range(k)]
+        faces += [((high[a], high[b], low[b], low[a]),) for a, b in sides]
+        soft |= {(low[i], high[i]) for i in range(k)} if curved else set()
+        faces.append(_between(below, tuple(low), points))
+        below, level, start = tuple(high), level - height, start + 2 * k
+    faces.append((tuple(below or ())[::-1],))
+    return Body(np.vstack(points), tuple(faces), frozenset(soft))
+
+
+def _between(below: Ring | None, above: Ring, points: list[Floats]) -> tuple[Ring, ...]:
+    """The flat face where one slab lies on another: the larger ring with the smaller as a hole; alone the underside."""
+    if below is None:
+        return (above,)
+    lower, upper = points[-3][:, ::2], points[-2][:, ::2]
+    return (below[::-1], above) if _area(lower) > _area(upper) else (above, below[::-1])
+
+
+def _area(ring: Floats) -> float:
+    x, y = ring.T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
 
 def cubes(cells: set[tuple[int, int, int]], ruled: bool) -> Body:

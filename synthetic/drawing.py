@@ -170,8 +170,8 @@ def _curved_strokes(
     recipe: Recipe, style: Style, index: int, rng: np.random.Generator
 ) -> tuple[Turned, Style, list[Stroke]]:
     kind, lines = recipe.curved[index % len(recipe.curved)], recipe.wish.lines
-    fill = 0.6 if recipe.marks else 0.84
-    made = turned_scene(kind, recipe.wish.views, style.size, style.pen.width, rng, fill)
+    fill = 0.76 if recipe.marks else 0.84
+    made = turned_scene(kind, recipe.wish, style.size, style.pen.width, rng, fill)
     shown = [line for line in made.lines if not line.hidden or lines != "removed"]
     strokes = [s for line in shown for s in pulled(line.path, line.hidden and lines == "dashed", style.hand, rng)]
     return made, style, strokes

@@ -113,9 +113,10 @@ def wandering(path: Floats, hand: Hand, rng: np.random.Generator) -> Floats:
     ahead = np.gradient(fine, axis=0)
     normal = np.c_[-ahead[:, 1], ahead[:, 0]] / np.maximum(np.linalg.norm(ahead, axis=1), 1e-9)[:, None]
     side = np.zeros(len(s))
-    for wave in (1.3, 2.6, 4.1):
-        turns = wave * max(steps[-1] / 250, 0.6)
-        side += rng.normal(0, hand.wobble) / wave**0.5 * np.sin(2 * np.pi * (turns * s / steps[-1] + rng.random()))
+    for wave in (1.0, 2.1, 3.7):
+        # The slow waves are the large ones: a hand draws eggs and open ends, no scallops.
+        turns = wave * max(steps[-1] / 400, 0.6)
+        side += rng.normal(0, hand.wobble) / wave * np.sin(2 * np.pi * (turns * s / steps[-1] + rng.random()))
     wandered: Floats = fine + side[:, None] * normal
     return wandered
 

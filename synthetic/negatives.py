@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sketch2shape.model import Floats
-from synthetic.hand import Hand, Stroke, freehand
+from synthetic.hand import Hand, Stroke, freehand, wandering
 from synthetic.marks import text
 from synthetic.pens import Coverage, Pen, coverage
 from synthetic.profiles import profile, random_simple, regular, unit_size
@@ -105,28 +105,36 @@ def circles(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cove
     return coverage([Stroke(p) for p in paths], pen, size, rng)
 
 
-def cylinder(size: Sheet, pen: Pen, _hand: Hand, rng: np.random.Generator) -> Coverage:
-    """Two ellipses and their common tangents: faces, but no vertices."""
-    t = np.linspace(0, 2 * np.pi, 120)
-    flat = rng.uniform(0.2, 0.4)
-    top = np.c_[np.cos(t), flat * np.sin(t)]
-    height = rng.uniform(1.2, 2.2)
-    bottom = top + np.array([0, height])
-    paths = [top, bottom, np.array([[-1, 0], [-1, height]]), np.array([[1, 0], [1, height]])]
-    every = np.vstack(paths)
-    middle, span = (every.min(0) + every.max(0)) / 2, np.ptp(every, axis=0).max()
-    fitted = [(p - middle) / span * 0.7 * min(size) + np.array(size) / 2 for p in paths]
-    return coverage([Stroke(p) for p in fitted], pen, size, rng)
+def torus(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A ring: its outline and the rim of its hole, which are curves parallel to an ellipse."""
+    t, flat = np.linspace(0, 2 * np.pi, 120), float(rng.uniform(0.55, 0.8))
+    outwards = np.c_[flat * np.cos(t), np.sin(t)]
+    outwards /= np.linalg.norm(outwards, axis=1)[:, None]
+    # The ellipse is nowhere bent more than by a radius of flat ** 2: a thinner ring shows its hole whole.
+    tube = flat**2 * float(rng.uniform(0.5, 0.8))
+    middle = np.c_[np.cos(t), flat * np.sin(t)]
+    return curves([middle + tube * outwards, middle - tube * outwards], size, pen, hand, rng)
 
 
-def pyramid(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
-    """A base and an apex."""
-    k = int(rng.integers(3, 7))
-    base = regular(k, rng.uniform(0, 2)) * [1, 0.4]
-    apex = np.array([rng.uniform(-0.3, 0.3), -rng.uniform(1.2, 1.8)])
-    every = fit(np.vstack([base, apex]), size, 0.7)
-    paths = [closed(every[:k])] + [every[[i, k]] for i in range(k)]
-    return strokes(paths, size, pen, hand, rng)
+def cup(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A cup with a handle."""
+    t, flat, height = np.linspace(0, np.pi, 60), float(rng.uniform(0.2, 0.35)), float(rng.uniform(1.3, 2.0))
+    arc, side, foot = np.c_[np.cos(t), np.sin(t)], float(rng.choice([-1, 1])), float(rng.uniform(0.75, 1.0))
+    rim = np.vstack([arc, -arc]) * [1, flat]
+    base = foot * arc * [1, flat] + [0, height]
+    walls = [np.array([[k, 0], [foot * k, height]]) for k in (-1.0, 1.0)]
+    hang = -arc[:, ::-1] * [-side, height / 2]
+    at = [side * (1 + foot) / 2, height / 2]
+    handle = [at + part * hang for part in (0.75, 0.5)]
+    return curves([rim, base, *walls, *handle], size, pen, hand, rng)
+
+
+def curves(paths: list[Floats], size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """Ink of curves drawn together by hand, fitted into the sheet."""
+    low, high = np.vstack(paths).min(0), np.vstack(paths).max(0)
+    scale = 0.7 * min(size) / float((high - low).max())
+    fitted = [scale * (p - (low + high) / 2) + np.array(size) / 2 for p in paths]
+    return coverage([Stroke(wandering(p, hand, rng)) for p in fitted], pen, size, rng)
 
 
 def noise(size: Sheet, _pen: Pen, _hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -234,8 +242,8 @@ NEGATIVES: dict[str, Negative] = {
     "scribble": scribble,
     "zigzag": zigzag,
     "circles": circles,
-    "cylinder": cylinder,
-    "pyramid": pyramid,
+    "torus": torus,
+    "cup": cup,
     "noise": noise,
     "texture": texture,
     "flowchart": flowchart,

@@ -1,13 +1,14 @@
-"""Solids that are no prisms, as textbooks draw them: cylinder, cone, sphere, pyramid, stacked cubes, polyhedra."""
+"""Solids that no two faces make, as textbooks draw them: sphere, shaft, bolt, bottle, stacked blocks, polyhedra."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 import numpy as np
+from scipy.ndimage import label
 
 from sketch2shape.model import Floats
-from synthetic.bodies import Body, Line, convex, cubes, drawn_lines, turned
+from synthetic.bodies import Body, Line, convex, cubes, drawn_lines, stacked
 from synthetic.hand import Hand, Stroke, wandering
 from synthetic.negatives import Negative, Sheet
 from synthetic.pens import Coverage, Pen, coverage
@@ -40,24 +41,64 @@ def some_view(rng: np.random.Generator) -> View:
     return axonometric("trimetric", float(np.radians(rng.uniform(15, 75))) * float(rng.choice([-1, 1])), elevation)
 
 
+def seen(body: Body, size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """The body from any side; from below with its hidden lines, as it may hide all that makes it no prism."""
+    view = some_view(rng)
+    below = view.facts["elevation_deg"] < 0
+    return drawn(drawn_lines(body, view), size, pen, hand, rng, str(rng.choice(["wire", "dashed"])) if below else "")
+
+
 def _lying(body: Body, rng: np.random.Generator, share: float) -> Body:
     if rng.random() < share:
         return replace(body, vertices=body.vertices @ turn_x(np.pi / 2).T)
     return body
 
 
-def drawn_cylinder(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
-    """A cylinder, standing or lying."""
-    body = _lying(turned((0.5, 0.5), float(rng.uniform(0.6, 1.8)), SIDES), rng, 0.3)
-    return drawn(drawn_lines(body, some_view(rng)), size, pen, hand, rng)
+def stepped_shaft(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """Two or three cylinders with one axis, standing or lying."""
+    radii = [0.5, float(rng.uniform(0.22, 0.36))]
+    if rng.random() < 0.5:
+        radii.append(float(rng.choice([0.5, rng.uniform(0.1, 0.16)])))
+    slabs = [
+        (r * regular(SIDES), float(rng.uniform(0.35, 0.8))) for r in (radii if rng.random() < 0.7 else radii[::-1])
+    ]
+    return seen(_lying(stacked(slabs, [True] * len(slabs)), rng, 0.5), size, pen, hand, rng)
 
 
-def drawn_cone(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
-    """A cone or a truncated cone."""
-    top = float(rng.choice([0.0, rng.uniform(0.15, 0.4)]))
-    return drawn(
-        drawn_lines(turned((0.5, top), float(rng.uniform(0.8, 1.6)), SIDES), some_view(rng)), size, pen, hand, rng
-    )
+def bolt(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A hexagon's head on a round shank."""
+    head, shank = (0.5 * regular(6, 0.3), 0.35), (float(rng.uniform(0.2, 0.32)) * regular(SIDES), 1.1)
+    body = stacked([head, shank], [False, True]) if rng.random() < 0.5 else stacked([shank, head], [True, False])
+    return seen(_lying(body, rng, 0.4), size, pen, hand, rng)
+
+
+def stacked_blocks(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A block or a disc in the middle of a larger block, and perhaps another upon it."""
+    square = regular(4, np.pi / 4) * [1, float(rng.uniform(0.7, 1.0))]
+    slabs, curved = [(0.7 * square, float(rng.uniform(0.25, 0.5)))], [False]
+    for part in (0.4, 0.2)[: int(rng.integers(1, 3))]:
+        curved.append(bool(rng.random() < 0.4))
+        slabs.append((part * (0.7 * regular(SIDES) if curved[-1] else square), float(rng.uniform(0.25, 0.6))))
+    return seen(stacked(slabs, curved), size, pen, hand, rng)
+
+
+def bottle(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A bottle: mouth, neck, shoulder, body, and perhaps the level of what is in it."""
+    t, flat, neck = np.linspace(0, np.pi, 40), float(rng.uniform(0.15, 0.3)), float(rng.uniform(0.25, 0.4))
+    arc, s = np.c_[np.cos(t), np.sin(t)] * [1, flat], np.linspace(0, 1, 30)
+    top, bottom = float(rng.uniform(0.5, 0.9)), float(rng.uniform(2.2, 3.0))
+    shoulder = np.c_[neck + (1 - neck) * (1 - np.cos(np.pi * s)) / 2, top + 0.6 * s]
+    side = np.vstack([[neck, 0], shoulder, [1, bottom]])
+    lines = [Line(side * [k, 1], False) for k in (-1, 1)]
+    lines += [
+        Line(neck * np.vstack([arc, -arc]), False),
+        Line(arc + [0, bottom], False),
+        Line(-arc + [0, bottom], True),
+    ]
+    if rng.random() < 0.5:
+        level = [0, float(rng.uniform(top + 0.8, bottom - 0.5))]
+        lines += [Line(arc + level, False), Line(-arc + level, True)]
+    return drawn(lines, size, pen, hand, rng, "dashed" if rng.random() < 0.6 else "removed")
 
 
 def drawn_sphere(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -70,25 +111,14 @@ def drawn_sphere(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) ->
     return drawn(lines, size, pen, hand, rng, "dashed")
 
 
-def drawn_pyramid(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
-    """A pyramid or a truncated one whose faces are no match, with or without its height."""
-    n = int(rng.integers(3, 7))
-    base = np.insert(0.6 * regular(n, rng.uniform(0, 6)) * [1, rng.uniform(0.7, 1)], 1, 0.4, axis=1)
-    apex = np.array([[*rng.uniform(-0.15, 0.15, 1), -rng.uniform(0.4, 0.9), 0.0]])
-    view = some_view(rng)
-    lines = drawn_lines(convex(np.vstack([base, apex])), view)
-    if rng.random() < 0.4:
-        foot = np.array([[apex[0, 0], 0.4, apex[0, 2]]])
-        lines.append(Line(view(np.vstack([apex, foot]))[:, :2], True))
-    return drawn(lines, size, pen, hand, rng)
-
-
 def cubes_stacked(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """Cubes in stacks of different heights on a small ground, with or without the lines between them."""
     while True:
         heights = rng.integers(0, 4, (int(rng.integers(1, 4)), int(rng.integers(2, 4))))
         cells = {(x, -y, z) for (x, z), h in np.ndenumerate(heights) for y in range(h)}
-        if len(cells) > 2 and len(np.unique(heights[heights > 0])) > 1:
+        # Stairs that run all one way are a prism.
+        bent = np.ptp(heights, axis=0).any() and np.ptp(heights, axis=1).any()
+        if bent and len(np.unique(heights[heights > 0])) > 1 and label(heights > 0)[1] == 1:
             break
     body = cubes(cells, ruled=bool(rng.random() < 0.6))
     view = axonometric(
@@ -117,14 +147,15 @@ def polyhedron(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> C
     else:
         points = rng.normal(0, 1, (int(rng.integers(6, 9)), 3))
         points = points / np.linalg.norm(points, axis=1)[:, None] * [0.6, 0.5, 0.6]
-    return drawn(drawn_lines(convex(points), some_view(rng)), size, pen, hand, rng)
+    return seen(convex(points), size, pen, hand, rng)
 
 
 OTHER_SOLIDS: dict[str, Negative] = {
-    "drawn_cylinder": drawn_cylinder,
-    "drawn_cone": drawn_cone,
     "drawn_sphere": drawn_sphere,
-    "drawn_pyramid": drawn_pyramid,
+    "stepped_shaft": stepped_shaft,
+    "bolt": bolt,
+    "stacked_blocks": stacked_blocks,
+    "bottle": bottle,
     "cubes": cubes_stacked,
     "polyhedron": polyhedron,
 }

@@ -233,11 +233,11 @@ def round_holes(around: Outline, most: int, rng: np.random.Generator) -> list[Ou
     return found
 
 
-def pyramid_base(rng: np.random.Generator) -> Outline:
-    """A regular polygon of 3 to 12 sides, mostly few, or a rectangle."""
-    if rng.random() < 0.3:
+def pyramid_base(sides: int | None, rng: np.random.Generator) -> Outline:
+    """A regular polygon of so many sides, or else of 3 to 12, mostly few, or a rectangle."""
+    if not sides and rng.random() < 0.3:
         return _straight("box", rng)
-    n = int(rng.choice([3, 4, 5, 6, 8, 12], p=[0.2, 0.3, 0.15, 0.2, 0.1, 0.05]))
+    n = sides or int(rng.choice([3, 4, 5, 6, 8, 12], p=[0.2, 0.3, 0.15, 0.2, 0.1, 0.05]))
     return Outline(0.5 * regular(n, float(rng.uniform(0, 2 * np.pi))), np.zeros(n))
 
 

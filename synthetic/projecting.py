@@ -133,6 +133,12 @@ def _random_upright(rng: np.random.Generator) -> View:
     return upright("trimetric", float(rng.uniform(-np.pi, np.pi)), elevation)
 
 
+def _random_below(rng: np.random.Generator) -> View:
+    """Any side to the front, from below."""
+    elevation = -float(np.radians(rng.uniform(14, 45)))
+    return upright("trimetric", float(rng.uniform(-np.pi, np.pi)), elevation)
+
+
 def _random_perspective(rng: np.random.Generator) -> View:
     kind = str(rng.choice(["one-point", "two-point", "three-point"]))
     distance, side = rng.uniform(2.4, 4.5), float(rng.choice([-1, 1]))
@@ -151,5 +157,6 @@ VIEWS = {
     "oblique": _random_oblique,
     "axonometric": _random_axonometric,
     "upright": _random_upright,
+    "below": _random_below,
     "perspective": _random_perspective,
 }

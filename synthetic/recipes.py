@@ -110,12 +110,15 @@ def _curved_and_pointed() -> dict[str, Recipe]:
         **{"cone": ("cone",), "frustum": ("frustum",), "pyramid": ("pyramid",)},
     }
     media = ("clean", "clean", "hand", "thin", "blueprint", "jpeg", "pen", "photo")
-    out = {}
-    for name, chosen in kinds.items():
-        for lines in ("wire", "dashed", "removed"):
-            out[f"{name}_{lines}"] = Recipe(Wish(UPRIGHT, lines=lines), media, curved=chosen)
     every = tuple(k for chosen in kinds.values() for k in chosen)
-    out["curved_annotated"] = Recipe(Wish(UPRIGHT, lines="dashed"), ("clean", "pen"), curved=every, marks=("exercise",))
+    out = {}
+    for lines in ("wire", "dashed", "removed"):
+        for name, chosen in kinds.items():
+            out[f"{name}_{lines}"] = Recipe(Wish(UPRIGHT, lines=lines), media, curved=chosen)
+        out[f"curved_persp_{lines}"] = Recipe(Wish(PERSP, lines=lines), media, curved=every)
+        out[f"curved_below_{lines}"] = Recipe(Wish(("below",), lines=lines), media, curved=every)
+    annotated = ("clean", "pen", "textbook", "blueprint")
+    out["curved_annotated"] = Recipe(Wish(UPRIGHT, lines="dashed"), annotated, curved=every, marks=("exercise",))
     out["curved_sketch"] = Recipe(Wish(UPRIGHT, lines="dashed"), ("pencil", "sloppy", "pen", "scan"), curved=every)
     return out
 
@@ -137,7 +140,10 @@ def _no_objects() -> dict[str, Recipe]:
         "views": ("view_sheet",),
         "faces": ("single_face",),
         "texts": ("formulas", "words", "page_of_text"),
-        "others": ("drawn_cylinder", "drawn_cone", "drawn_sphere", "drawn_pyramid", "cubes", "polyhedron"),
+        "others": (
+            *("drawn_sphere", "stepped_shaft", "stacked_blocks", "torus", "bolt", "bottle", "cup", "cubes"),
+            "polyhedron",
+        ),
     }
     return {f"no_{name}": Recipe(media=media, objects=(0, 0), subjects=chosen) for name, chosen in subjects.items()}
 

@@ -9,15 +9,20 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from shapely.geometry import LineString, Point, Polygon
 
 from sketch2shape.model import Floats
 from synthetic.bodies import Body, Line, drawn_lines, silhouettes
-from synthetic.outlines import MIXED, PLATES, Arc, Outline, outline, pyramid_base, round_holes
+from synthetic.outlines import MIXED, PLATES, ROUND, Arc, Outline, outline, pyramid_base, round_holes
 from synthetic.projecting import View, axonometric, random_view
+from synthetic.scenes import Wish
 
 KINDS = ("cylinder", "tube", "plate", "mixed", "cone", "frustum", "pyramid")
 SAMPLES = 17
 """Points of each arc in the truth, first and last included."""
+SHORT_AXIS = 0.22
+"""Least length of the axis in the picture, part of the front face's extent, and of a point's distance from its base:
+nobody looks along the axis."""
 
 
 @dataclass(frozen=True)
@@ -43,47 +48,59 @@ class Turned:
 
 
 def turned_scene(
-    kind: str, families: tuple[str, ...], size: tuple[int, int], pen: float, rng: np.random.Generator, fill: float = 0.8
+    kind: str, wish: Wish, size: tuple[int, int], pen: float, rng: np.random.Generator, fill: float = 0.8
 ) -> Turned:
-    """A random object of a kind on a sheet of `size` (w, h), drawn with a pen `pen` pixels wide."""
+    """A random object of a kind on a sheet of `size` (w, h), drawn with a pen `pen` pixels wide.
+
+    wish : its views; its shapes name an outline for the kinds that have a choice
+    """
     for _ in range(400):
-        shape, rings, scale = _faces(kind, rng)
+        shape, rings, scale = _faces(kind, wish.shapes, rng)
         depth = float(rng.uniform(0.4, 1.4) if scale == 1 else rng.uniform(0.7, 1.5))
         body = _body(rings, scale, depth)
-        view = _placed(body, _view(kind, families, rng), size, fill, rng)
+        view = _placed(body, _view(kind, wish.views, rng), size, fill, rng)
         ends = [view(body.vertices[list(e)])[:, :2] for e in silhouettes(body, view)]
         outlines = np.array(ends).reshape(-1, 2, 2)
-        if _drawable(rings, depth, view, outlines, pen):
-            return Turned(shape, rings, scale, depth, view, tuple(drawn_lines(body, view)), outlines)
+        if _drawable(rings, scale, depth, view, outlines, pen):
+            lines = drawn_lines(body, view, wire=wish.lines == "wire")
+            return Turned(shape, rings, scale, depth, view, tuple(lines), outlines)
     raise ValueError(f"no drawable {kind} found on {size} with a pen of {pen} px")
 
 
-def _faces(kind: str, rng: np.random.Generator) -> tuple[str, tuple[Outline, ...], float]:
+def _faces(kind: str, wished: str, rng: np.random.Generator) -> tuple[str, tuple[Outline, ...], float]:
     """Words for the shape, outlines of the front face, and the size of the back face."""
     if kind in ("cylinder", "tube"):
         front = outline("circle", rng)
         return kind, (front, *(round_holes(front, 1, rng) if kind == "tube" else [])), 1.0
     if kind == "plate":
-        name = str(rng.choice(PLATES))
+        name = _named(wished, PLATES, rng)
         holes: list[Outline] = []
         while not holes:
             front = outline(name, rng)
             holes = round_holes(front, int(rng.integers(1, 4)), rng)
         return f"{name} plate with holes", (front, *holes), 1.0
     if kind == "mixed":
-        name = str(rng.choice(MIXED))
+        name = _named(wished, MIXED, rng)
         return f"{name} prism", (outline(name, rng),), 1.0
     if kind == "pyramid":
-        base = pyramid_base(rng)
+        base = pyramid_base(int(wished) if wished.isdigit() else None, rng)
         return f"{len(base.points)}-sided pyramid", (base,), 0.0
     scale = 0.0 if kind == "cone" else float(rng.uniform(0.3, 0.75))
-    name = "circle" if kind == "cone" or rng.random() < 0.7 else str(rng.choice(MIXED))
+    round_base = kind == "cone" or (wished not in ROUND and rng.random() < 0.7)
+    name = "circle" if round_base else _named(wished, MIXED, rng)
     words = kind if kind == "cone" else "truncated cone" if name == "circle" else f"tapered {name}"
     return words, (outline(name, rng),), scale
 
 
+def _named(wished: str, known: tuple[str, ...], rng: np.random.Generator) -> str:
+    """The outline wished for if it is the name of one, else one of those known."""
+    return wished if wished in ROUND or wished in PLATES else str(rng.choice(known))
+
+
 def _view(kind: str, families: tuple[str, ...], rng: np.random.Generator) -> View:
     """Pointed objects stand with the base below as a rule; the others as prisms do."""
+    if families in (("perspective",), ("below",)):
+        return random_view(families[0], rng)
     if kind in ("cone", "frustum", "pyramid") and rng.random() < 0.85:
         elevation = float(np.radians(rng.uniform(12, 40)))
         return axonometric("trimetric", float(np.radians(rng.uniform(-80, 80))), elevation, lying=True)
@@ -123,7 +140,7 @@ def _placed(body: Body, view: View, size: tuple[int, int], fill: float, rng: np.
     return view.placed(scale, sheet / 2 - scale * (low + high) / 2 + rng.uniform(-0.6, 0.6, 2) * room)
 
 
-def _drawable(rings: tuple[Outline, ...], depth: float, view: View, outlines: Floats, pen: float) -> bool:
+def _drawable(rings: tuple[Outline, ...], scale: float, depth: float, view: View, outlines: Floats, pen: float) -> bool:
     """Whether every ring is large and open enough for the pen, a cone has its outline, and all lines have a length."""
     for ring in rings:
         seen = view(np.c_[ring.chords()[0], np.zeros(len(ring.chords()[0]))])[:, :2]
@@ -135,8 +152,20 @@ def _drawable(rings: tuple[Outline, ...], depth: float, view: View, outlines: Fl
             if np.linalg.norm(edges - np.roll(edges, -1, 0), axis=1).min() < max(3.2 * pen, 11):
                 return False
     axis = view(np.array([[0, 0, 0], [0, 0, depth]], float))[:, :2]
+    outer = view(np.c_[rings[0].chords()[0], np.zeros(len(rings[0].chords()[0]))])[:, :2]
+    least = max(8 * pen, SHORT_AXIS * float(np.ptp(outer, axis=0).max()))
+    if scale == 0 and not rings[0].circle and not _spread(outer, axis[1], max(2.2 * pen, 5)):
+        return False
     needs_outline = rings[0].circle is not None
-    return bool(np.linalg.norm(axis[1] - axis[0]) > 8 * pen and (len(outlines) >= 2 or not needs_outline))
+    return bool(np.linalg.norm(axis[1] - axis[0]) > least and (len(outlines) >= 2 or not needs_outline))
+
+
+def _spread(base: Floats, apex: Floats, gap: float) -> bool:
+    """Whether a pyramid shows more than its base, and no corner falls on a side edge of another one."""
+    if Polygon(base).distance(Point(*apex)) < SHORT_AXIS * float(np.ptp(base, axis=0).max()):
+        return False
+    sides = [LineString([apex, corner]) for corner in base]
+    return all(s.distance(Point(*c)) > gap for i, s in enumerate(sides) for j, c in enumerate(base) if i != j)
 
 
 def turned_truth(made: Turned, lines: str) -> dict[str, Any]:
@@ -188,15 +217,9 @@ def _place(face: str, ring: int, start: int, n: int) -> dict[str, Any]:
 
 def _seen_arc(arc: Arc, z: float, view: View) -> dict[str, Any]:
     """The arc in the picture: samples, and the ellipse it lies on (half axes, angle of the longer one in degrees)."""
-    frame = np.array([[*arc.centre, z], [arc.centre[0] + arc.radius, arc.centre[1], z]])
-    frame = np.vstack([frame, [arc.centre[0], arc.centre[1] + arc.radius, z]])
-    centre, across, down = view(frame)[:, :2]
-    turns, axes, _ = np.linalg.svd(np.c_[across - centre, down - centre])
-    ellipse = {
-        "center": np.round(centre, 3).tolist(),
-        "axes": np.round(axes, 3).tolist(),
-        "angle": round(float(np.degrees(np.arctan2(turns[1, 0], turns[0, 0])) % 180), 3),
-    }
+    circle = {"center": arc.centre, "axes": [arc.radius, arc.radius], "angle": 0.0}
+    flat = view.matrix[[0, 1, 3]]
+    ellipse = moved_ellipse(circle, np.c_[flat[:, :2], z * flat[:, 2] + flat[:, 3]])
     return {"ellipse": ellipse, "points": np.round(view(_in_space(arc, z))[:, :2], 3).tolist()}
 
 

@@ -8,9 +8,6 @@ from sketch2shape.errors import NoObjectError
 from sketch2shape.pipeline import reconstruct
 from sketch2shape.pipeline.report import report
 
-READ_SINCE = {"cylinder", "cone", "pyramid"}
-"""Kinds of solids in drawings without written objects that were none when these were drawn."""
-
 
 def test_hard_drawings_are_answered_with_a_good_mesh_or_refused(hard_drawing):
     try:
@@ -23,8 +20,6 @@ def test_hard_drawings_are_answered_with_a_good_mesh_or_refused(hard_drawing):
 
 def test_the_object_of_each_committed_drawing_is_found(drawing):
     path, truth = drawing
-    if truth.get("profile") in READ_SINCE:
-        pytest.skip("its solid is one that is read, and nobody wrote down where it lies")
     if truth.get("objects") == []:
         with pytest.raises(NoObjectError):
             reconstruct(path)

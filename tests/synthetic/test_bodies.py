@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from synthetic.bodies import convex, cubes, drawn_lines, turned
+from synthetic.bodies import convex, cubes, drawn_lines, stacked
+from synthetic.profiles import regular
 from synthetic.projecting import axonometric
 
 VIEW = axonometric("trimetric", np.radians(35), np.radians(25))
@@ -34,12 +35,36 @@ def test_a_cube_before_another_hides_a_part_of_it():
     assert hidden > seen / 3
 
 
-@pytest.mark.parametrize(("top", "silhouettes"), [(0.5, 2), (0.3, 2), (0.0, 2)])
-def test_a_round_body_has_two_outlines_and_its_rims(top, silhouettes):
-    lines = drawn_lines(turned((0.5, top), 1.4, 64), VIEW)
+CIRCLE, SQUARE = 0.5 * regular(64), 0.5 * regular(4, np.pi / 4)
+
+
+@pytest.mark.parametrize("ring", [CIRCLE, CIRCLE[::-1]])
+def test_a_round_slab_has_two_outlines_and_its_rims(ring):
+    lines = drawn_lines(stacked([(ring, 1.4)], [True]), VIEW)
     straight = [line for line in lines if len(line.path) == 2 and np.ptp(line.path[:, 1]) > 0.5]
-    assert len(straight) == silhouettes
+    assert len(straight) == 2
     curved = [line for line in lines if len(line.path) > 4]
-    assert any(line.hidden for line in curved)
     # The rim above is seen whole, the one below in half.
-    assert len(curved) == (2 if top == 0 else 3)
+    assert sorted(line.hidden for line in curved) == [False, False, True]
+
+
+def test_a_wireframe_has_its_rims_in_one_pull():
+    lines = drawn_lines(stacked([(CIRCLE, 1.4)], [True]), VIEW, wire=True)
+    assert sorted(len(line.path) for line in lines) == [2, 2, 65, 65]
+    assert not any(line.hidden for line in lines)
+
+
+def test_a_slab_is_the_hull_of_its_corners():
+    slab = stacked([(SQUARE, 0.7)], [False])
+    assert counted(drawn_lines(slab, VIEW)) == counted(drawn_lines(convex(slab.vertices), VIEW)) == (9, 3)
+
+
+@pytest.mark.parametrize("smaller_first", [True, False])
+def test_slabs_of_a_stack_meet_in_a_ring_and_hide_each_other(smaller_first):
+    parts = (0.4, 1.0) if smaller_first else (1.0, 0.4)
+    stack = stacked([(part * SQUARE, 0.5) for part in parts], [False, False])
+    assert len(stack.faces) == 11
+    assert [len(rings) for rings in stack.faces].count(2) == 1
+    seen, hidden = counted(drawn_lines(stack, VIEW))
+    assert seen >= 14
+    assert hidden >= 6

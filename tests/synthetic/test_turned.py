@@ -3,6 +3,7 @@
 import cv2
 import numpy as np
 import pytest
+from shapely.geometry import Point, Polygon
 
 from synthetic.drawing import draw
 from synthetic.outlines import QUARTER, ROUND, Outline, outline
@@ -54,7 +55,7 @@ def test_outlines_have_unit_size_positive_area_and_the_same_area_reversed(name):
 def test_true_arcs_lie_on_their_ellipses_and_end_in_vertices(category):
     truth = draw(category, 6, 1).truth
     for arc in truth["arcs"]:
-        if truth["medium"] != "photo":
+        if truth["medium"] != "photo":  # a parallel view and a perspective one draw a circle as an ellipse
             assert on_ellipse(arc["points"], arc["ellipse"]).max() < 0.01
         pair = truth if arc["hole"] is None else truth["holes"][arc["hole"]]
         if arc["from"] is None:
@@ -69,6 +70,41 @@ def test_true_arcs_lie_on_their_ellipses_and_end_in_vertices(category):
     apex = truth["solid"]["scale"] == 0
     assert (len(truth["f2"]) == 1) == apex
     assert apex or len(truth["f1"]) == len(truth["f2"])
+
+
+@pytest.mark.parametrize(
+    ("category", "shapes", "words"),
+    [
+        ("arcs_removed", "fillet", "fillet prism"),
+        ("plate_dashed", "slot", "slot plate with holes"),
+        ("frustum_wire", "half disc", "tapered half disc"),
+        ("pyramid_wire", "7", "7-sided pyramid"),
+        ("cone_wire", "slot", "cone"),
+    ],
+)
+def test_an_outline_may_be_chosen(category, shapes, words):
+    assert draw(category, 6, 1, shapes=shapes).truth["shape"] == words
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
+def test_the_face_in_front_is_told_whether_it_lies_above_or_below(lines):
+    for index in range(4):
+        truth = draw(f"curved_below_{lines}", 6, index).truth
+        assert truth["front"] == "f1"
+        middle = {
+            f: np.mean([p for a in truth["arcs"] if a["face"] == f for p in a["points"]], 0) for f in ("f1", "f2")
+        }
+        assert middle["f1"][1] > middle["f2"][1] or truth["shape"] == "cone"
+
+
+def test_the_point_of_a_cone_is_in_front_of_its_base_or_behind():
+    assert {draw("cone_dashed", 6, index).truth["front"] for index in range(8)} == {"f1", "f2"}
+
+
+def test_a_pyramid_shows_its_apex_beside_its_base():
+    for index in range(12):
+        truth = draw("pyramid_wire", 8, index).truth
+        assert not Polygon(truth["f1"]).contains(Point(*truth["f2"][0]))
 
 
 @pytest.mark.parametrize("category", ["curved_annotated", "curved_sketch"])
