@@ -69,13 +69,14 @@ def judge(truth: Thing, answers: Sequence[Thing]) -> Verdict:
 
 def front_of(answer: Thing) -> str:
     """The name of the face that lies nearer to the viewer in the answered solid."""
-    solid = answer["solid"]
-    camera = np.array(solid["camera"], float)
-    turn = camera[:, :3]
-    # x right, y down and the way into the picture are right-handed; a parallel view has no third row to tell the way.
-    inwards = np.cross(turn[0], turn[1]) if not turn[2].any() else turn[2] * np.sign(np.linalg.det(turn))
-    near, far = (_in_space(answer, face).mean(0) @ inwards for face in ("f1", "f2"))
-    return "f1" if near < far else "f2"
+    camera = np.array(answer["solid"]["camera"], float)
+    faces = [_in_space(answer, face) for face in ("f1", "f2")]
+    h = camera @ np.r_[np.vstack(faces).mean(0), 1]
+    # How the middle of the solid moves in the picture. Right, down and the way into the picture are right-handed.
+    right, down = (camera[:2, :3] - np.outer(h[:2] / h[2], camera[2, :3])) / h[2]
+    inwards = np.cross(right, down)
+    depths = [points.mean(0) @ inwards for points in faces]
+    return "f1" if depths[0] < depths[1] else "f2"
 
 
 def _in_space(answer: Thing, face: str) -> Floats:

@@ -116,17 +116,11 @@ def torus(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Covera
     return curves([middle + tube * outwards, middle - tube * outwards], size, pen, hand, rng)
 
 
-def cup(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
-    """A cup with a handle."""
-    t, flat, height = np.linspace(0, np.pi, 60), float(rng.uniform(0.2, 0.35)), float(rng.uniform(1.3, 2.0))
-    arc, side, foot = np.c_[np.cos(t), np.sin(t)], float(rng.choice([-1, 1])), float(rng.uniform(0.75, 1.0))
-    rim = np.vstack([arc, -arc]) * [1, flat]
-    base = foot * arc * [1, flat] + [0, height]
-    walls = [np.array([[k, 0], [foot * k, height]]) for k in (-1.0, 1.0)]
-    hang = -arc[:, ::-1] * [-side, height / 2]
-    at = [side * (1 + foot) / 2, height / 2]
-    handle = [at + part * hang for part in (0.75, 0.5)]
-    return curves([rim, base, *walls, *handle], size, pen, hand, rng)
+def spring(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A coil of wire."""
+    turns, flat, pitch = int(rng.integers(4, 8)), float(rng.uniform(0.2, 0.35)), float(rng.uniform(0.35, 0.6))
+    t = np.linspace(0, 2 * np.pi * turns, 40 * turns)
+    return curves([np.c_[np.cos(t), flat * np.sin(t) - pitch * t / (2 * np.pi)]], size, pen, hand, rng)
 
 
 def curves(paths: list[Floats], size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
@@ -243,7 +237,7 @@ NEGATIVES: dict[str, Negative] = {
     "zigzag": zigzag,
     "circles": circles,
     "torus": torus,
-    "cup": cup,
+    "spring": spring,
     "noise": noise,
     "texture": texture,
     "flowchart": flowchart,

@@ -101,6 +101,17 @@ def bottle(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Cover
     return drawn(lines, size, pen, hand, rng, "dashed" if rng.random() < 0.6 else "removed")
 
 
+def cup(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A cup with a handle."""
+    t, flat, height = np.linspace(0, np.pi, 60), float(rng.uniform(0.2, 0.35)), float(rng.uniform(1.3, 2.0))
+    arc, side, foot = np.c_[np.cos(t), np.sin(t)], float(rng.choice([-1, 1])), float(rng.uniform(0.75, 1.0))
+    paths = [np.vstack([arc, -arc]) * [1, flat], foot * arc * [1, flat] + [0, height]]
+    paths += [np.array([[k, 0], [foot * k, height]]) for k in (-1.0, 1.0)]
+    middle = np.array([side * (1 + foot) / 2, height / 2])
+    paths += [middle + part * arc[:, ::-1] * [side, height / 2] for part in (0.75, 0.5)]
+    return drawn([Line(path, False) for path in paths], size, pen, hand, rng, "removed")
+
+
 def drawn_sphere(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """A circle with the equator, its far half dashed, and perhaps a radius."""
     t, flat = np.linspace(0, np.pi, 40), float(rng.uniform(0.2, 0.4))
@@ -156,6 +167,7 @@ OTHER_SOLIDS: dict[str, Negative] = {
     "bolt": bolt,
     "stacked_blocks": stacked_blocks,
     "bottle": bottle,
+    "cup": cup,
     "cubes": cubes_stacked,
     "polyhedron": polyhedron,
 }
