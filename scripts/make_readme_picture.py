@@ -20,10 +20,10 @@ from synthetic.drawing import draw
 
 TARGET = ROOT / "docs" / "readme.png"
 TILE = (400, 300)
-SHOWN = (("photo_dashed", "L", 1), ("annotated_dashed", "house", 2), ("blueprint_removed", "star", 0))
-"""Category, shape and number of each drawing."""
+SHOWN = (("photo_dashed", "L", 1), ("curved_annotated", None, 4), ("plate_dashed", "round end", 4))
+"""Category, shape if it is chosen, and number of each drawing."""
 TITLES = (
-    ("a photo of a sketch", "a textbook figure", "a blueprint, hidden edges left out"),
+    ("a photo of a sketch", "a textbook figure", "a blueprint of a plate with round holes"),
     ("what is found: the front face blue, the back face orange, edges behind them dashed",),
     ("the solid, exact and watertight: for a 3-D printer, CAD, a viewer",),
 )
