@@ -1,6 +1,6 @@
 """Switch each mechanism of the heart off, one at a time, and tell what it earns: right answers, sure errors, time.
 
-    python scripts/ablate.py --sets drawings hard --every 8           a sample, tables on the screen
+    python scripts/ablate.py --sets drawings hard --most 8            a sample, table on the screen
     python scripts/ablate.py --mechanisms 'second*' --sets fresh --per-category 1
     python scripts/ablate.py --page docs/heart.md                     the table of the page written anew
 
@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import fnmatch
 import os
+import pkgutil
 import shlex
 import sys
 import tempfile
@@ -32,7 +33,7 @@ import repository  # noqa: F401 - for `evaluation`
 import sketch2shape as s2s
 from evaluation.cases import Case, collect
 from evaluation.markdown import part_replaced, table
-from evaluation.measure import in_processes, lost, measure
+from evaluation.measure import in_processes, measure
 from evaluation.options import add_drawings, add_sets, add_work, wanted
 from evaluation.outcome import Outcome
 from sketch2shape.fit import refinement
@@ -253,8 +254,26 @@ def switched_off(mechanism: Mechanism) -> Iterator[None]:
         yield
 
 
-def measured(case: Case, name: str) -> Outcome:
-    """The outcome of a drawing without a mechanism, with the time of the processor; "" switches none off."""
+@contextmanager
+def noted(asked: set[str]) -> Iterator[None]:
+    """Put the dotted names of the functions that could be switched off into a set as soon as they are called."""
+    with ExitStack() as stack:
+        for dotted in {d for m in MECHANISMS for d, instead in m.off.items() if callable(instead)}:
+            place, name = dotted.rsplit(".", 1)
+            stack.enter_context(mock.patch(dotted, _noting(getattr(pkgutil.resolve_name(place), name), dotted, asked)))
+        yield
+
+
+def _noting(function: Callable[..., Any], dotted: str, asked: set[str]) -> Callable[..., Any]:
+    def called(*args: Any, **options: Any) -> Any:
+        asked.add(dotted)
+        return function(*args, **options)
+
+    return called
+
+
+def measured(case: Case) -> Outcome:
+    """The outcome of a drawing, with the time of the processor."""
     spent = 0.0
 
     def answered(picture: str) -> Any:
@@ -265,11 +284,23 @@ def measured(case: Case, name: str) -> Outcome:
         finally:
             spent = time.process_time() - start
 
-    with ExitStack() as stack:
-        for mechanism in MECHANISMS:
-            if mechanism.name == name:
-                stack.enter_context(switched_off(mechanism))
-        return replace(measure(case, answered), ms=spent * 1e3)
+    return replace(measure(case, answered), ms=spent * 1e3)
+
+
+def compared(case: Case, names: Sequence[str]) -> list[Outcome]:
+    """The outcomes of a drawing with the whole heart and without each of some mechanisms."""
+    asked: set[str] = set()
+    with noted(asked):
+        measured(case)
+    outcomes = [measured(case)]
+    for mechanism in (m for m in MECHANISMS if m.name in names):
+        functions = {dotted for dotted, instead in mechanism.off.items() if callable(instead)}
+        if functions and functions == mechanism.off.keys() and not functions & asked:
+            outcomes.append(outcomes[0])  # it has no say in this drawing
+        else:
+            with switched_off(mechanism):
+                outcomes.append(measured(case))
+    return outcomes
 
 
 Effects = dict[str, dict[str, Effect]]
@@ -280,26 +311,24 @@ def main() -> None:
     args = _arguments()
     names = [m.name for m in MECHANISMS if any(fnmatch.fnmatch(m.name, p) for p in args.mechanisms)]
     effects: Effects = {name: {} for name in names}
-    heads = []
+    heads, told = [], ""
     with tempfile.TemporaryDirectory() as scratch:
         for of_set in args.sets:
-            cases = collect([of_set], wanted(args, scratch, args.categories))[:: args.every]
-            runs = _runs(cases, ["", *names], args.jobs, args.seconds)
-            right = sum(o.right is True for o in runs[""])
-            heads.append(f"{of_set}: {right} of {len(cases)} right")
+            cases = _spread(collect([of_set], wanted(args, scratch, args.categories)), args.most)
+            whole, *without = _runs(cases, names, args.jobs, args.seconds)
+            heads.append(f"{of_set}: {sum(o.right is True for o in whole)} of {len(whole)} right")
+            for name, outcomes in zip(names, without, strict=True):
+                effects[name][of_set] = Effect.of(whole, outcomes)
+            told = f"{'; '.join(heads)}.\n\n{effect_table(effects)}\n{idle(effects)}"
             print(heads[-1], flush=True)
-            for name, outcomes in runs.items():
-                for o in outcomes:
-                    if o.status in ("crashed", "lost"):
-                        print(f"without {name}: {o.case.id} {o.status}: {o.cause}", flush=True)
-            for name in names:
-                effects[name][of_set] = Effect.of(runs[""], runs[name])
-    told = f"{'; '.join(heads)}.\n\n{effect_table(effects)}\n{idle(effects)}"
+            if args.page:
+                _write(Path(args.page), told)
     print(told)
-    if args.page:
-        page = Path(args.page)
-        command = shlex.join(["python", "scripts/ablate.py", *_recorded(sys.argv[1:])])
-        page.write_text(part_replaced(page.read_text("utf-8"), "ablate", f"    {command}\n\n{told}"), "utf-8")
+
+
+def _write(page: Path, told: str) -> None:
+    command = shlex.join(["python", "scripts/ablate.py", *_recorded(sys.argv[1:])])
+    page.write_text(part_replaced(page.read_text("utf-8"), "ablate", f"    {command}\n\n{told}"), "utf-8")
 
 
 def _recorded(options: Sequence[str]) -> Iterator[str]:
@@ -308,20 +337,30 @@ def _recorded(options: Sequence[str]) -> Iterator[str]:
     yield from (o for i, o in enumerate(options) if o not in local and (i == 0 or options[i - 1] not in local))
 
 
-def _runs(cases: Sequence[Case], names: Sequence[str], jobs: int, seconds: float) -> dict[str, list[Outcome]]:
-    """Outcomes of all drawings by what is switched off; each drawing in turn, so that a busy machine is fair to all."""
-    # not the whole heart first: a picture's first reading is slow
-    calls = [(case, name) for case in cases for name in (*names[1:], names[0])]
-    runs: dict[str, list[Outcome]] = {name: [] for name in names}
-    for (case, name), answer in zip(calls, in_processes(measured, calls, jobs, seconds), strict=True):
-        runs[name].append(lost(case, answer, seconds) if isinstance(answer, Exception) else answer)
-    return runs
+def _spread(cases: Sequence[Case], most: int) -> list[Case]:
+    """So many of the drawings, at even distances; all for 0."""
+    return [cases[k] for k in np.linspace(0, len(cases) - 1, min(most or len(cases), len(cases))).astype(int)]
+
+
+def _runs(cases: Sequence[Case], names: Sequence[str], jobs: int, seconds: float) -> list[tuple[Outcome, ...]]:
+    """Outcomes of the drawings with the whole heart, and without each mechanism; without those of a lost worker."""
+    calls = [(case, names) for case in cases]
+    found = []
+    for case, answer in zip(cases, in_processes(compared, calls, jobs, seconds * (len(names) + 2)), strict=True):
+        if isinstance(answer, Exception):
+            print(f"left out: {case.set}: {case.id}  {type(answer).__name__}: {answer}", flush=True)
+        else:
+            found.append(answer)
+            for name, outcome in zip(names, answer[1:], strict=True):
+                if outcome.status == "crashed":
+                    print(f"crashed without {name}: {case.set}: {case.id}  {outcome.cause}", flush=True)
+    return list(zip(*found, strict=True)) if found else [()] * (len(names) + 1)
 
 
 def effect_table(effects: Effects) -> str:
     """One row a mechanism; three columns a set: right answers, sure errors, time."""
     sets = list(next(iter(effects.values())))
-    head = ["without it", "room", *(word for name in sets for word in (name, "sure errors", "time"))]
+    head = ["mechanism", "room", *(word for name in sets for word in (name, "sure errors", "time"))]
     rooms = {m.name: m.room for m in MECHANISMS}
     rows = [[name, rooms[name], *(c for e in found.values() for c in e.cells)] for name, found in effects.items()]
     return table(head, rows)
@@ -338,10 +377,10 @@ def _arguments() -> argparse.Namespace:
     add_sets(parser, chosen=["drawings", "hard", "curved", "real"])
     parser.add_argument("--categories", nargs="+", default=["*"], metavar="PATTERN")
     parser.add_argument("--mechanisms", nargs="+", default=["*"], metavar="PATTERN")
-    parser.add_argument("--every", type=int, default=1, metavar="N", help="take each N-th drawing only")
+    parser.add_argument("--most", type=int, default=0, metavar="N", help="so many drawings of each set, evenly; 0: all")
     add_drawings(parser, seed=7, per_category=1)
-    add_work(parser, seconds=60)
-    parser.add_argument("--page", default="", help="page whose table is written anew; '' none")
+    add_work(parser, seconds=30)
+    parser.add_argument("--page", default="", help="page whose table is written anew, set after set")
     return parser.parse_args()
 
 

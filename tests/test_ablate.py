@@ -55,11 +55,12 @@ def test_a_mechanism_is_off_for_a_while_only():
     assert before == sweeping.SIDE > 0
 
 
-def test_a_drawing_is_measured_without_its_source(tmp_path):
+def test_a_drawing_is_measured_without_its_source_and_once_for_those_that_are_not_asked(tmp_path):
     case = case_of(draw("cylinder_wire", 3, 0).save(tmp_path))
-    whole, without = ablate.measured(case, ""), ablate.measured(case, "sweeps")
+    whole, without, unasked = ablate.compared(case, ["sweeps", "sweeps: pyramids"])
     assert whole.right
     assert not without.right
+    assert unasked is whole
     assert min(whole.ms, without.ms) > 0
 
 
@@ -84,6 +85,6 @@ def test_what_earns_nothing_on_any_set_is_named():
     effects = {"wireframes": {"hard": busy, "real": idle}, "sweeps": {"hard": idle, "real": idle}}
     assert ablate.idle(effects) == "Earn nothing on these drawings: sweeps.\n"
     head, _, first, second = ablate.effect_table(effects).splitlines()
-    assert head == "| without it | room | hard | sure errors | time | real | sure errors | time |"
+    assert head == "| mechanism | room | hard | sure errors | time | real | sure errors | time |"
     assert first == "| wireframes | search | +1 |  | 1.10 | -2 |  | 1.10 |"
     assert second.startswith("| sweeps | search |")
