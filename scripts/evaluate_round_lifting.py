@@ -22,10 +22,11 @@ from sketch2shape.lifting import lift
 from sketch2shape.model import DrawnArc, Ellipse, FacePair, Floats, Plane, Side, Solid, TwoFaceObject
 from sketch2shape.solids import tessellated
 from synthetic.outlines import Outline
+from synthetic.scenes import Wish
 from synthetic.turned_scenes import KINDS, Turned, turned_scene, turned_truth
 
 NOISES = (0.0, 1.0, 2.0)
-FAMILIES = ("oblique", "axonometric")
+WISH = Wish(("oblique", "axonometric"), lines="dashed")
 SHEET, PEN = (640, 480), 2.0
 
 #: most that area over perimeter squared, and depth over the root of the area, may be off for a right solid
@@ -56,7 +57,7 @@ def table(n: int, seed: int) -> str:
     lines = [f"| proportions right, at noise of | drawings | {head} |", "|---|---|" + "---|" * len(NOISES)]
     every: list[list[Case]] = [[] for _ in NOISES]
     for kind in KINDS:
-        made = [turned_scene(kind, FAMILIES, SHEET, PEN, np.random.default_rng([seed, k])) for k in range(n)]
+        made = [turned_scene(kind, WISH, SHEET, PEN, np.random.default_rng([seed, k])) for k in range(n)]
         rows = [[_case(m, noise, np.random.default_rng([seed, k, 1])) for k, m in enumerate(made)] for noise in NOISES]
         for kept, row in zip(every, rows, strict=True):
             kept += row
@@ -69,7 +70,7 @@ def table(n: int, seed: int) -> str:
 
 
 def _case(made: Turned, noise: float, rng: np.random.Generator) -> Case:
-    truth = json.loads(json.dumps(turned_truth(made, "dashed")))
+    truth = json.loads(json.dumps(turned_truth(made, WISH.lines)))
     solid = lift(drawn_object(truth, noise, rng))
     form = tessellated(solid.boundary)
     walked = [(a, b) for a, b in form.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).tolist()]
