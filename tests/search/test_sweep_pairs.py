@@ -1,44 +1,55 @@
 """Pairs of an outline and a way to the back face: what is looked at first, and what leads nowhere."""
 
+from itertools import count
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from round_sketches import FACING, drawn, ellipse, plate, slot
+from round_sketches import CYLINDER, FACING, drawn, ellipse, plate, slot
 from scipy.spatial import cKDTree
 from sketches import ink_of
 
 from sketch2shape.ink import split_groups
+from sketch2shape.search import sweep_pairs
 from sketch2shape.search.search import observed
 from sketch2shape.search.sweep_pairs import (
     BARELY,
     LEAST_SCALE,
+    MOST_PRICED,
     SHALLOW,
     SHALLOW_PENS,
+    Pair,
     Scene,
     are_close,
+    cut,
     evenly,
     is_flat,
     pairs_of,
 )
-from sketch2shape.sweeps import Sweep, Way
+from sketch2shape.sweeps import Loop, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
 
 SIZE = 400.0
-PLAIN = SimpleNamespace(size=SIZE, skeleton=SimpleNamespace(pen_width=2.0))
+PLAIN = SimpleNamespace(size=SIZE, cells=None, skeleton=SimpleNamespace(pen_width=2.0))
 """A scene of which nothing is asked but the drawing's size and the pen's."""
 RIM = ellipse(y=280.0).line
 """180 pixels wide and 72 high about (240, 280)."""
 
 
+def scene_of(sweep, lines="wire"):
+    """What the search sees of a drawing, and where that lies in the picture."""
+    (group,) = split_groups(ink_of(drawn(sweep, lines)))
+    seen = observed(group)
+    return Scene(seen.drawn, seen.skeleton, seen.view), group.offset
+
+
 def first_pair(sweep):
     """The likeliest pair of a wireframe, and by how many pixels its lines stray from a rim of the sweep."""
-    (group,) = split_groups(ink_of(drawn(sweep, "wire")))
-    seen = observed(group)
-    pair = next(pairs_of(Scene(seen.drawn, seen.skeleton, seen.view), bowed=True))[0]
+    scene, offset = scene_of(sweep)
+    pair = next(pairs_of(scene, bowed=True))[0]
     front = [evenly(ring.line) for ring in sweep.rings]
     rims = cKDTree(np.concatenate([*front, *(line + sweep.way.shift for line in front)]))
-    found = np.concatenate([loop.line for loop in (pair.loop, *pair.holes)]) + group.offset
+    found = np.concatenate([loop.line for loop in (pair.loop, *pair.holes)]) + offset
     return pair, float(rims.query(found)[0].max())
 
 
@@ -68,6 +79,62 @@ def test_a_closed_line_beside_the_outline_is_no_hole():
     pair, _ = first_pair(Sweep((*slot(way).rings, beside, ellipse(220.0, 220.0, 40.0, FACING)), way))
     (hole,) = pair.holes
     assert np.ptp(hole.line, axis=0) == pytest.approx([80, 80], abs=6)
+
+
+@pytest.fixture
+def batches(monkeypatch):
+    """The values of the pairs of each batch, where the sources give pairs of these values."""
+
+    def given(*sources, bowed=True, far=30.0):
+        lengths = count(far, 10.0)
+        for name, values in zip(("_coherent", "_moved", "_drawn_together"), sources, strict=False):
+            some = [Pair(Loop(RIM), Way(np.array([0.0, next(lengths)])), value=v) for v in values]
+            monkeypatch.setattr(sweep_pairs, name, lambda _, some=some: iter(some))
+        return [[pair.value for pair in batch] for batch in pairs_of(PLAIN, bowed=bowed)]
+
+    return given
+
+
+def test_a_batch_ends_where_a_pair_explains_enough_and_has_those_nearly_as_good(batches):
+    assert batches([0.3, 0.85], [0.7, 0.9, 0.75], []) == [[0.85], [0.9, 0.75, 0.7], [0.3]]
+
+
+def test_what_no_source_explains_is_given_when_all_have_been_asked(batches):
+    assert batches([0.3], [0.5], [0.2, 0.45]) == [[0.5, 0.45, 0.3]]
+
+
+def test_a_batch_is_so_large_and_the_rest_waits_for_the_next(batches):
+    many = [0.9] * (MOST_PRICED + 2)
+    assert [len(batch) for batch in batches(many, [0.9], [])] == [MOST_PRICED, 3]
+
+
+def test_of_straight_lines_only_wireframes_are_given_and_less_of_the_ink_is_enough(batches):
+    assert batches([0.65, 0.3], [0.9], bowed=False) == [[0.65]]
+    assert batches([0.55], [0.9], bowed=False) == []
+
+
+def test_pairs_that_lead_nowhere_or_say_the_same_are_left_out(batches, monkeypatch):
+    assert batches([0.9, 0.85], [], [], far=-5.0) == []
+    monkeypatch.setattr(sweep_pairs, "ALIKE", 1.0)
+    assert batches([0.85, 0.9], [], []) == [[0.85]]
+
+
+def test_the_larger_face_is_the_front():
+    apart = Way(np.zeros(2), np.array([240.0, -200]), 1.6)
+    for swept in cut(Pair(Loop(evenly(RIM)), apart, is_whole=True), PLAIN):
+        assert swept.way.scale == pytest.approx(1 / 1.6)
+        assert not swept.is_near
+        assert np.ptp(swept.rings[0].line, axis=0) == pytest.approx([1.6 * 180, 1.6 * 72], abs=3)
+
+
+def test_an_outline_that_goes_nowhere_is_not_cut():
+    assert list(cut(Pair(Loop(evenly(RIM)), Way(np.array([0.0, 1.0])), is_whole=True), PLAIN)) == []
+
+
+def test_an_ellipse_stands_for_what_the_ink_encloses_there():
+    scene, offset = scene_of(CYLINDER, "removed")
+    rim = CYLINDER.rings[0].line - offset
+    assert len([loop for loop in scene.loops if are_close(loop.line, rim, 6.0)]) == 1
 
 
 def point(x, y):
