@@ -124,7 +124,7 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     support = np.where(dashed, with_dashes, support)
     shown = wanted | ~removed[:, None, None]
     explained = _explained(points, shown, sheet)
-    drawn = _drawn(near & shown, stacked.frame)
+    drawn = drawn_vertices(near & shown, stacked.frame)
     score = 2 * support * explained / (support + explained + 1e-9)
     score *= _held_by(weakest)
     # who dashes hidden edges dashes all of them
@@ -228,7 +228,7 @@ def _runs(show: Bools) -> tuple[Ints, ...]:
     return row // e, row % e, first, flips[:, 1] % (n + 2) - 1
 
 
-def _drawn(lit: Bools, frame: Frame) -> Bools:
+def drawn_vertices(lit: Bools, frame: Frame) -> Bools:
     """(b, m) back vertices at which at least two shown edge ends have ink (lit: samples shown and inked)."""
     first, last = lit[..., :10].sum(axis=2) > 3, lit[..., -10:].sum(axis=2) > 3
     starts, ends, rungs = first[:, frame.backs], last[:, frame.backs[frame.before]], last[:, frame.rungs]

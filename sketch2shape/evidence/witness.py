@@ -77,10 +77,10 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
             np.log(m),
             1.0 - float(evidence.drawn.mean()),
             _bend(view, ~left, edge, a, span / length[:, None], length),
-            float(_directions(span, length) <= 2),
+            float(directions(span, length) <= 2),
             np.log(depth / (view.pen + 2 * energy.noise)),
             np.log(size / view.pen),
-            _doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
+            doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
             energy.shape / energy.vertex / m,
         ]
     )
@@ -139,7 +139,7 @@ def _bend(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Flo
     return float((bow / length[some]).max(initial=0.0))
 
 
-def _directions(span: Floats, length: Floats) -> int:
+def directions(span: Floats, length: Floats) -> int:
     """Directions that the edges have, to within some six degrees."""
     found: list[float] = []
     for k in np.argsort(-length):
@@ -151,7 +151,7 @@ def _directions(span: Floats, length: Floats) -> int:
     return len(found)
 
 
-def _doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:
+def doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:
     """Fraction of the length of what is seen of edges (shown: (e,), fraction of each) that lies along another."""
     laid = beside(a, span, length, reach) & (shown > HALF)
     seen = length * shown

@@ -15,6 +15,7 @@ from sketch2shape.hypotheses.hypothesis import (
 )
 from sketch2shape.hypotheses.opaque import caps
 from sketch2shape.hypotheses.regions import Region, enclosed_regions, without_edge
+from sketch2shape.hypotheses.ruled import ruled_caps, ruled_graph
 from sketch2shape.hypotheses.unions import united
 from sketch2shape.hypotheses.walks import walked
 from sketch2shape.hypotheses.wireframe import CornerGraph
@@ -30,6 +31,8 @@ __all__ = [
     "enclosed_regions",
     "frame",
     "plausible",
+    "ruled_caps",
+    "ruled_graph",
     "split",
     "stack",
     "united",

@@ -19,7 +19,7 @@ from sketch2shape.pipeline.options import corrections_of, explained, lift_option
 from sketch2shape.pipeline.result import Result
 from sketch2shape.pipeline.solid import Solid
 from sketch2shape.pipeline.solid import lift as lift_solid
-from sketch2shape.search import AnyFound, Found, FoundSweep, as_object, find_all, sweep_as_object
+from sketch2shape.search import AnyFound, FoundSweep, Verified, as_object, find_all, sweep_as_object
 from sketch2shape.strokes import detector_named
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ def _as_object(found: AnyFound, ink: Ink, connector: str, detector: str) -> TwoF
     )
 
 
-def _confidence(found: Found, ink: Ink, detector: str) -> float:
+def _confidence(found: Verified, ink: Ink, detector: str) -> float:
     """How sure the object is, less if a corner detector that was asked for does not see its vertices."""
     if detector == "auto":
         return found.confidence

@@ -12,6 +12,7 @@ from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
+from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.search import Found, find, observed
 from sketch2shape.search.sweeping import SLIGHT, FoundSweep, find_sweep
 from sketch2shape.strokes import Skeleton
@@ -39,12 +40,15 @@ EVEN_ODDS = 0.5
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 
-AnyFound: TypeAlias = Found | FoundSweep
+AnyFound: TypeAlias = Verified | FoundSweep
 """An answer for a group of ink, in its working pixels or those of the sheet."""
 
 
 def find_all(ink: Ink) -> list[AnyFound]:
     """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
+    exact = find_exact(ink)
+    if exact is not None:
+        return [exact]
     found: list[AnyFound] = []
     vain = 0
     for group in split_groups(ink):

@@ -9,7 +9,7 @@ second look, when the answer can be trusted.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group
 from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
+from sketch2shape.search.exact import Verified
 from sketch2shape.search.tolerances import LEAST_INK, LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
 from sketch2shape.strokes import Skeleton, bridged, thin
 
@@ -63,36 +64,19 @@ MOST_PATHS = 2500
 
 
 @dataclass(frozen=True)
-class Found:
-    """A verified hypothesis.
+class Found(Verified):
+    """A verified hypothesis that others are weighed against.
 
-    rings     : in working pixels
-    evidence  : how well it agrees with the ink
     sheet     : what it was compared with, as strictly as its lines allow
-    noise     : rms distance between model and ink, pixels
     compared  : held against the drawing
     energy    : what it and the drawing under it cost
     witnesses : what speaks for and against it
-    confidence: 0..1, how often such answers are right
     """
 
-    rings: Rings
-    evidence: Evidence
-    sheet: Sheet
-    noise: float = 0.0
+    sheet: Sheet = field(kw_only=True)
     compared: Comparison | None = None
     energy: Energy | None = None
     witnesses: Floats | None = None
-    confidence: float = 0.0
-
-    @property
-    def size(self) -> float:
-        """Diagonal of the object's bounding box, pixels."""
-        return float(np.linalg.norm(np.ptp(self.rings.vertices, axis=0)))
-
-    def shifted(self, by: Floats) -> Found:
-        """The same elsewhere on the sheet."""
-        return replace(self, rings=self.rings.shifted(by))
 
 
 @dataclass(frozen=True, eq=False)
@@ -340,5 +324,5 @@ def _refined(traced: Traced, rings: Rings, evidence: Evidence, sheet: Sheet) -> 
         # a wide reach bridges the gaps of dashes; and only a front that is seen whole can be in front
         for way in (simpler, simpler.swapped()):
             if is_dashed(way, strict):
-                return Found(way, replace(judge(way, strict), lines="dashed"), strict, noise)
-    return Found(simpler, judged, strict, noise)
+                return Found(way, replace(judge(way, strict), lines="dashed"), noise, sheet=strict)
+    return Found(simpler, judged, noise, sheet=strict)
