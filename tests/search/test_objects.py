@@ -32,7 +32,7 @@ def sheet(monkeypatch):
 
         monkeypatch.setattr(objects, "split_groups", lambda _: some)
         monkeypatch.setattr(objects, "find_one", find_one)
-        return [f.confidence for f in objects.find_all(None)], asked
+        return [f.confidence for f in objects.find_all(ink_of(paper()))], asked
 
     return given
 
