@@ -66,7 +66,7 @@ def exactly_drawn(rings: Rings, pieces: Floats, dashed: Bools) -> tuple[Evidence
         return None
     depth = hidden_depth(one, edge_samples(one), SURELY)[0]
     lines = _style(laid, dashed, depth == 2, ~grown(depth[None] >= 1, length[None], DIVES)[0])
-    if lines is None or directions(span, length) < SPATIAL:
+    if lines is None or directions(span, length, SPATIAL) < SPATIAL:
         return None
     shown = (depth == 0).mean(axis=1)
     if doubled(a, span, length, shown, SHORTEST) > LAID:

@@ -139,11 +139,11 @@ def _bend(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Flo
     return float((bow / length[some]).max(initial=0.0))
 
 
-def directions(span: Floats, length: Floats) -> int:
-    """Directions that the edges have, to within some six degrees."""
+def directions(span: Floats, length: Floats, enough: int | None = None) -> int:
+    """Directions that the edges have, to within some six degrees; no more are looked for than are enough."""
     found: list[float] = []
     for k in np.argsort(-length):
-        if length[k] < SHORT * length.max():
+        if length[k] < SHORT * length.max() or len(found) == enough:
             break
         angle = float(np.arctan2(span[k, 1], span[k, 0]) % np.pi)
         if all(min(abs(angle - f), np.pi - abs(angle - f)) > ONE_WAY for f in found):

@@ -58,8 +58,9 @@ def _turns(lines: RuledLines) -> dict[tuple[int, int], tuple[int, int]]:
         along = (lines.corners[row] - lines.corners[a]) @ (lines.corners[b] - lines.corners[a])
         row = row[np.argsort(along)].tolist()
         for i, j in pairwise(row):
-            near[i].append(j)
-            near[j].append(i)
+            if j not in near[i]:  # two segments may join the same corners, one hardly beside the other
+                near[i].append(j)
+                near[j].append(i)
     after = {}
     for k, others in enumerate(near):
         x, y = (lines.corners[others] - lines.corners[k]).T

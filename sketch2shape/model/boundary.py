@@ -170,8 +170,7 @@ class Boundary(Brief):
         """What it holds, unit cubed, by the divergence theorem; negative if it is inside out."""
         middle = self.extremes(np.eye(3)).mean(axis=0)
         flux = 0.0
-        for face in self.faces:
-            through = self.area_vector(face)
+        for face, through in zip(self.faces, self.area_vectors(self.faces), strict=True):
             match face.surface:
                 case Plane(origin):
                     flux += float((origin - middle) @ through)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from sketch2shape.model.arrays import Brief, Floats
 
@@ -22,7 +22,7 @@ class VectorLine(Brief):
 
     def mapped(self, origin: Floats, scale: float) -> VectorLine:
         """Moved so that `origin` becomes (0, 0), then enlarged."""
-        return replace(self, points=(self.points - origin) * scale)
+        return VectorLine((self.points - origin) * scale, self.dashed, self.curved)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -71,9 +71,7 @@ def _wires(lines: RuledLines) -> Iterator[Rings]:
     """Pairs of faces that use all corners; dashes tell which is in front."""
     for rings in wire_hypotheses(ruled_graph(lines), range(MOST_STEPS)):
         if ALL_VERTICES * sum(rings.sizes) >= len(lines.corners):
-            yield rings
-            if lines.dashed.any():
-                yield rings.swapped()
+            yield from (rings, rings.swapped()) if lines.dashed.any() else (rings,)
 
 
 def _verified(hypotheses: Iterator[Rings], lines: RuledLines) -> Iterator[Verified]:

@@ -49,3 +49,10 @@ def test_lines_cut_off_by_the_object_lead_nowhere():
 def test_a_face_alone_has_no_back():
     ring = prism_lines(SQUARE, SQUARE + DEPTH)[:4]
     assert list(ruled_caps(ruled_lines(ring))) == []
+
+
+def test_lines_hardly_beside_each_other_end_the_walk_round_all_the_same():
+    beside = VectorLine(np.array([[120.0, 140.3], [270.0, 140.3]]))
+    found = ruled_lines([*prism_lines(SQUARE, SQUARE + DEPTH, "removed"), beside])
+    assert len(found.ends) == 10
+    assert len(list(ruled_caps(found))) >= 3
