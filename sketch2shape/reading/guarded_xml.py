@@ -28,12 +28,14 @@ class _Reader:
     """Counts while expat reads."""
 
     def __init__(self) -> None:
+        self._references = 0
         self._depth = self._elements = self._text = self._entities = 0
         self._tree = TreeBuilder()
 
     def read(self, data: bytes) -> Element:
         if len(data) > MOST_BYTES and b"data:" not in data:
             raise LimitError("it is too large for a drawing of lines", remedy="a drawing, not a map")
+        self._references = data.count(b"&")
         parser = expat.ParserCreate(namespace_separator="}")
         parser.buffer_text = True
         parser.StartElementHandler = self._start
@@ -74,6 +76,9 @@ class _Reader:
         self._entities += 1
         if is_parameter or value is None or "&" in value or len(value) > LONGEST_ENTITY:
             raise UnreadableError(f"it declares the entity {name[:20]!r}", remedy="save it as plain SVG")
+        # an attribute is put together before anyone can count it
+        if self._references * len(value) > MOST_TEXT:
+            raise LimitError("its entities grow too large", remedy="save it as plain SVG")
         if self._entities > MOST_ENTITIES:
             raise UnreadableError("it declares too many entities", remedy="save it as plain SVG")
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -33,6 +34,14 @@ INSET = 0.002
 """Part of the drawing's size by which a shape hides less than it fills: lines along its border are seen."""
 MOST_COVERS = 500
 """Filled shapes up to which what they hide is worked out; a picture shaded with more is none of lines."""
+MOST_TANGLED, TANGLED = 4_000, 8.0
+"""Squares of the lengths of filled rings, in their own diagonals, added up over rings that are so many diagonals long:
+they cross themselves about as often, and what they fill takes as long. The outline of a letter has six."""
+MOST_PAIRS, MOST_CUT = 500_000, 300_000
+"""Pairs of a filled shape and a line before it, and points of those that overlap, up to which it is worked out what is
+hidden: both take a part of a second."""
+MOST_GROUNDS = 10
+"""Shapes over each other, each on the whole of the one before: a page, its border, its paper."""
 UNEVEN = 3.0
 """Width of a pen's stroke at its widest, in mean widths, up to which its two sides have a line between them."""
 
@@ -66,15 +75,26 @@ def visible_lines(shapes: Sequence[Shape]) -> list[VectorLine]:
         return []
     size = float(np.hypot(*np.ptp(points, axis=0)))
     ground, shapes = _without_ground(shapes)
-    if sum(shape.fill is not None for shape in shapes) > MOST_COVERS:
+    filled = [shape for shape in shapes if shape.fill is not None]
+    if len(filled) > MOST_COVERS or _tangle(filled) > MOST_TANGLED:
         raise OutlinedStrokesError
-    lines: list[VectorLine] = []
+    left = _Left()
     for shape in shapes:
         region = _region(shape) if shape.fill is not None else None
         if region is not None and not region.is_empty:
-            lines = _not_under(lines, region.buffer(-INSET * size))
-        lines += _own_lines(shape, region, ground, size)
-    return lines
+            left.cover(region.buffer(-INSET * size))
+        left.add(_own_lines(shape, region, ground, size))
+    return left.lines
+
+
+def _tangle(shapes: Sequence[Shape]) -> float:
+    """See `MOST_TANGLED`."""
+    wound = [
+        float(np.hypot(*np.diff(ring, axis=0).T).sum()) / max(float(np.hypot(*np.ptp(ring, axis=0))), 1e-12)
+        for shape in shapes
+        for ring in shape.rings
+    ]
+    return sum(long**2 for long in wound if long > TANGLED)
 
 
 def _own_lines(shape: Shape, region: Any, ground: Colour, size: float) -> list[VectorLine]:
@@ -148,7 +168,7 @@ def _without_ground(shapes: Sequence[Shape]) -> tuple[Colour, list[Shape]]:
     rest = list(shapes)
     ground = WHITE
     boxes = [_box(shape) for shape in rest]
-    while rest:
+    for _ in range(MOST_GROUNDS):
         whole = _joined(boxes)
         first, fill = boxes[0], rest[0].fill
         if fill is None or first is None or whole is None or len(rest[0].rings) != 1 or len(rest) == 1:
@@ -192,28 +212,53 @@ def _within(inner: Box, outer: Box) -> bool:
 
 def _region(shape: Shape) -> Any:
     """What a shape fills, by the rule of even and odd."""
-    region = shapely.Polygon()
-    for ring in shape.rings:
-        if len(np.unique(ring, axis=0)) >= 3:
-            region = region.symmetric_difference(shapely.make_valid(shapely.Polygon(ring)))
-    return region
+    some = [shapely.make_valid(shapely.Polygon(r)) for r in shape.rings if len(np.unique(r, axis=0)) >= 3]
+    while len(some) > 1:  # in pairs: one after the other would take the square of the time
+        some = [a.symmetric_difference(b) for a, b in zip_longest(some[::2], some[1::2], fillvalue=shapely.Polygon())]
+    return some[0] if some else shapely.Polygon()
 
 
-def _not_under(lines: list[VectorLine], cover: Any) -> list[VectorLine]:
-    """What is left of lines that a region hides."""
-    if cover.is_empty:
-        return lines
-    shapely.prepare(cover)
-    kept: list[VectorLine] = []
-    for line in lines:
-        drawn = shapely.LineString(line.points) if len(line.points) > 1 else shapely.Point(line.points[0])
-        if not cover.intersects(drawn):
-            kept.append(line)
-            continue
-        left = drawn.difference(cover)
-        pieces = getattr(left, "geoms", [left])
-        kept += [replace(line, points=shapely.get_coordinates(p)) for p in pieces if not p.is_empty]
-    return kept
+class _Left:
+    """What is left to see of the lines painted so far."""
+
+    def __init__(self) -> None:
+        self.lines: list[VectorLine] = []
+        self._drawn: list[Any] = []
+        self._pairs = self._cut = 0
+
+    def add(self, lines: Sequence[VectorLine]) -> None:
+        """Paint lines over all others."""
+        self.lines += lines
+        self._drawn += map(_geometry, lines)
+
+    def cover(self, cover: Any) -> None:
+        """Hide what lies under a region. Raises OutlinedStrokesError where that would take long."""
+        self._pairs += len(self.lines)
+        if self._pairs > MOST_PAIRS:
+            raise OutlinedStrokesError
+        if cover.is_empty or not self.lines:
+            return
+        shapely.prepare(cover)
+        met = shapely.intersects(cover, np.array(self._drawn, object))
+        if not met.any():
+            return
+        around = int(shapely.get_num_coordinates(cover))
+        self._cut += sum(around + len(line.points) for line, cut in zip(self.lines, met.tolist(), strict=True) if cut)
+        if self._cut > MOST_CUT:
+            raise OutlinedStrokesError
+        painted, self.lines, self._drawn = zip(self.lines, self._drawn, met.tolist(), strict=True), [], []
+        for line, drawn, is_met in painted:
+            self.add([line] if not is_met else _pieces_of(line, drawn.difference(cover)))
+
+
+def _geometry(line: VectorLine) -> Any:
+    return shapely.LineString(line.points) if len(line.points) > 1 else shapely.Point(line.points[0])
+
+
+def _pieces_of(line: VectorLine, left: Any) -> list[VectorLine]:
+    """The line where only this is left of it."""
+    pieces = getattr(left, "geoms", [left])
+    return [replace(line, points=shapely.get_coordinates(p)) for p in pieces if not p.is_empty]
 
 
 def _differ(one: Colour, other: Colour) -> bool:

@@ -21,6 +21,8 @@ MOST_NUMBERS = 60_000
 """Numbers in the data of all paths together, those that <use> repeats included."""
 MOST_STYLE, LONGEST_CLASS = 50_000, 1_000
 """Characters of style sheets, and of the classes of an element: each is looked up in the sheets."""
+MOST_LOOKED_UP = 50_000_000
+"""Characters of style sheets times elements: each element is held against each rule."""
 OPAQUE = 0.95
 """Opacity from which on a filling hides what is under it."""
 LEFT_OUT = frozenset(
@@ -45,6 +47,7 @@ def svg_shapes(text: str, size: tuple[float, float]) -> list[Shape]:
 
     root = parsed(_DECLARED.sub("", text, count=1).encode("utf-8", "surrogatepass"))
     _strip(root)
+    _check_styles(root)
     _check_repeats(root)
     root.set("width", f"{size[0]}px")
     root.set("height", f"{size[1]}px")
@@ -72,6 +75,13 @@ def _strip(element: Element) -> None:
             element.remove(child)
         else:
             _strip(child)
+
+
+def _check_styles(root: Element) -> None:
+    """Raise LimitError if looking up all styles would take long."""
+    every = list(root.iter())
+    if sum(len(e.text or "") for e in every if local(e.tag) == "style") * len(every) > MOST_LOOKED_UP:
+        raise LimitError("its style sheet is too long", remedy="save it as plain SVG")
 
 
 def _check_repeats(root: Element) -> None:

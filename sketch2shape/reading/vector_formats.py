@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from typing import Any
 
 from sketch2shape.errors import LimitError, UnreadableError
@@ -11,7 +12,7 @@ from sketch2shape.reading.excalidraw import excalidraw_shapes
 from sketch2shape.reading.extra_formats import inflated, opened_pdf, svg_size, xml_text
 from sketch2shape.reading.inkml import inkml_lines
 from sketch2shape.reading.limits import Limits
-from sketch2shape.reading.painted import OutlinedStrokesError, visible_lines
+from sketch2shape.reading.painted import OutlinedStrokesError, Shape, visible_lines
 from sketch2shape.reading.pen_strokes import from_json
 from sketch2shape.reading.sheet import picture_of
 from sketch2shape.reading.svg_lines import svg_shapes
@@ -50,12 +51,19 @@ def _json(data: bytes, source: str) -> Picture:
         raise UnreadableError(f"damaged JSON ({reason})", remedy="save it again") from None
     if isinstance(held, dict):
         if held.get("type") in ("excalidraw", "excalidraw/clipboard"):
-            return picture_of(visible_lines(excalidraw_shapes(held)), source=source)
+            return _whiteboard(excalidraw_shapes(held), source)
         if "tldrawFileFormatVersion" in held:
-            return picture_of(visible_lines(tldraw_shapes(held)), source=source)
+            return _whiteboard(tldraw_shapes(held), source)
     if isinstance(held, list) or (isinstance(held, dict) and "strokes" in held):
         return from_json(held, source)
     raise UnreadableError("JSON that holds no drawing", remedy='{"strokes": [[[x, y], ...], ...]}')
+
+
+def _whiteboard(shapes: Sequence[Shape], source: str) -> Picture:
+    try:
+        return picture_of(visible_lines(shapes), source=source)
+    except OutlinedStrokesError:
+        raise LimitError("it has too many filled shapes", remedy="a drawing of one object, without fillings") from None
 
 
 def _svg(data: bytes, limits: Limits, source: str) -> Picture | None:

@@ -13,10 +13,14 @@ INK = '<ink xmlns="http://www.w3.org/2003/InkML">%s</ink>'
 LINE = '<path d="M0 0L9 9" stroke="red"/>'
 USED = "".join(f'<g id="g{k + 1}">{tenfold}</g>' for k in range(9) for tenfold in [f'<use href="#g{k}"/>' * 10])
 LAUGHS = '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>' + SVG % "<desc>&b;</desc>"
+FILLED = {"type": "ellipse", "width": 50, "height": 50, "backgroundColor": "#f00", "fillStyle": "solid"}
 
 HOSTILE = {
     "entities that expand": LAUGHS,
     "one entity used a million times": f'<!DOCTYPE svg [<!ENTITY a "{"a" * 190}">]>' + SVG % ("&a;" * 10_000),
+    "an entity used a million times in an attribute": (
+        f'<!DOCTYPE svg [<!ENTITY a "{"1 " * 90}">]>' + SVG % f'<path stroke="red" d="M0 0L{"&a;" * 10**6}"/>'
+    ),
     "an entity from a file": '<!DOCTYPE svg [<!ENTITY a SYSTEM "/etc/passwd">]>' + SVG % "&a;",
     "use that expands": SVG % (f'<g id="g0">{LINE}</g>' + USED),
     "use of itself": SVG % '<g id="a"><use href="#a"/></g>',
@@ -25,6 +29,7 @@ HOSTILE = {
     "10^6 paths": SVG % (LINE * 10**6),
     "huge coordinates": SVG % '<path stroke="red" d="M0 0L1e300 5L-1e300 2"/>',
     "a long style sheet": SVG % f"<style>{'.a{stroke:red}' * 5000}</style>",
+    "a rule for all, often, and many elements": SVG % f"<style>{'*{stroke:red}' * 3800}</style>{LINE * 6000}",
     "many classes": SVG % f'<path class="{"a " * 5000}" d="M0 0"/>',
     "10^6 points as JSON": '{"strokes": [[' + "[1,2]," * 10**6 + "[1,2]]]}",
     "10^5 strokes as JSON": '{"strokes": [' + "[[1,2],[3,4]]," * 10**5 + "[[1,2]]]}",
@@ -32,6 +37,9 @@ HOSTILE = {
     "NaN": '{"strokes": [[[NaN, 1], [2, 3]]]}',
     "wrong types": '{"strokes": {"a": "b"}}',
     "a tangle": json.dumps({"strokes": [np.random.default_rng(0).random((9000, 2)).tolist()]}),
+    "more fillings than anyone paints": json.dumps(
+        {"type": "excalidraw", "elements": [FILLED | {"x": k % 60, "y": k % 90} for k in range(600)]}
+    ),
     "a million points of ink": INK % ("<trace>" + "1 2," * 10**6 + "</trace>"),
     "groups of ink 10,000 deep": INK % ("<traceGroup>" * 10_000 + "</traceGroup>" * 10_000),
 }

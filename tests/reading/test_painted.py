@@ -96,3 +96,26 @@ def test_a_picture_of_many_fillings_is_none_of_lines():
 def test_coordinates_that_are_huge_are_refused():
     with pytest.raises(UnreadableError, match="huge"):
         visible_lines([line([0, 0], [1e300, 5]), box(0, 0, 9, 9, fill=GREY)])
+
+
+def test_fillings_that_would_take_long_are_left_to_a_picture():
+    turns = np.linspace(0, 2 * np.pi, 96)
+    discs = []
+    for x in range(300):
+        ring = np.c_[x + 60 * np.cos(turns), 60 * np.sin(turns)]
+        discs.append(Shape((VectorLine(ring),), (ring,), stroke=BLACK, fill=GREY))
+    tangle = np.random.default_rng(1).random((200, 2)) * 400
+    knot = Shape((VectorLine(tangle),), (tangle,), stroke=BLACK, fill=GREY)
+    for shapes in (discs, [line([0, 0], [9, 9]), knot]):
+        with pytest.raises(OutlinedStrokesError):
+            visible_lines(shapes)
+
+
+def test_what_many_rings_fill_is_by_the_rule_of_even_and_odd():
+    rings = [box(5 * k, 5 * k, 100 - 10 * k, 100 - 10 * k).rings[0] for k in range(5)]
+    cover = Shape((VectorLine(rings[0]),), tuple(rings), fill=GREY)
+    crossing = line([-10, 50], [110, 50])
+    # stripes 5 wide are filled on both sides, and the square in the middle
+    outside = 20.0 + 2 * 2 * 5.0
+    own = sum(length([VectorLine(ring)]) for ring in rings)
+    assert length(visible_lines([crossing, cover])) == pytest.approx(outside + own, abs=6)
