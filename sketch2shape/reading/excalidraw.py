@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from sketch2shape.model import VectorLine
+from sketch2shape.reading.guarded_xml import MOST_ELEMENTS
 from sketch2shape.reading.json_values import listed, mapped, number, points_of
 from sketch2shape.reading.painted import Shape
 from sketch2shape.reading.shapes import closed, ellipse, moved, rectangle, smooth, turned
@@ -24,7 +25,7 @@ RADIUS, ROUNDED = 32.0, 0.25
 def excalidraw_shapes(held: Mapping[str, Any]) -> list[Shape]:
     """The shapes of a file. Raises UnreadableError."""
     shapes = []
-    for given in listed(held.get("elements"), "elements"):
+    for given in listed(held.get("elements"), "elements", MOST_ELEMENTS):
         element = mapped(given, "an element")
         lines = [] if element.get("isDeleted") is True else _lines(element)
         if lines:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sketch2shape.errors import UnreadableError
+from sketch2shape.errors import LimitError, UnreadableError
 from sketch2shape.model import Floats
 
 _REMEDY = "save it again"
@@ -23,10 +23,12 @@ def number(given: Any, name: str) -> float:
         raise UnreadableError(f"its {name} is too large a number", remedy=_REMEDY) from None
 
 
-def listed(given: Any, name: str) -> Sequence[Any]:
-    """A list. Raises UnreadableError."""
+def listed(given: Any, name: str, most: int | None = None) -> Sequence[Any]:
+    """A list. Raises UnreadableError, LimitError if it has more than the most."""
     if not isinstance(given, list | tuple):
         raise UnreadableError(f"its {name} are {type(given).__name__}, not a list", remedy=_REMEDY)
+    if most is not None and len(given) > most:
+        raise LimitError(f"{len(given)} {name} are too many", remedy="a drawing of one object")
     return given
 
 

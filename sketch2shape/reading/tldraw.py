@@ -15,6 +15,7 @@ import numpy as np
 
 from sketch2shape.errors import UnreadableError
 from sketch2shape.model import Floats, VectorLine
+from sketch2shape.reading.guarded_xml import MOST_ELEMENTS
 from sketch2shape.reading.json_values import listed, mapped, number, points_of
 from sketch2shape.reading.painted import Shape
 from sketch2shape.reading.shapes import closed, ellipse, moved, rectangle, smooth, turned
@@ -37,7 +38,7 @@ _CORNERS: Mapping[str, Any] = {
 
 def tldraw_shapes(held: Mapping[str, Any]) -> list[Shape]:
     """The shapes of the first page that has any. Raises UnreadableError."""
-    records = [mapped(r, "a record") for r in listed(held.get("records"), "records")]
+    records = [mapped(r, "a record") for r in listed(held.get("records"), "records", MOST_ELEMENTS)]
     shapes = {str(r.get("id")): r for r in records if r.get("typeName") == "shape"}
     pages = [str(r.get("id")) for r in sorted(records, key=_index) if r.get("typeName") == "page"]
     chains = {name: _chain(record, shapes) for name, record in shapes.items()}

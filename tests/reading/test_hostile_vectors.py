@@ -13,7 +13,7 @@ INK = '<ink xmlns="http://www.w3.org/2003/InkML">%s</ink>'
 LINE = '<path d="M0 0L9 9" stroke="red"/>'
 USED = "".join(f'<g id="g{k + 1}">{tenfold}</g>' for k in range(9) for tenfold in [f'<use href="#g{k}"/>' * 10])
 LAUGHS = '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>' + SVG % "<desc>&b;</desc>"
-FILLED = {"type": "ellipse", "width": 50, "height": 50, "backgroundColor": "#f00", "fillStyle": "solid"}
+FILLED = {"type": "ellipse", "x": 0, "y": 0, "width": 50, "height": 50, "backgroundColor": "#f00", "fillStyle": "solid"}
 
 HOSTILE = {
     "entities that expand": LAUGHS,
@@ -40,6 +40,7 @@ HOSTILE = {
     "more fillings than anyone paints": json.dumps(
         {"type": "excalidraw", "elements": [FILLED | {"x": k % 60, "y": k % 90} for k in range(600)]}
     ),
+    "more elements than anyone draws": json.dumps({"type": "excalidraw", "elements": [FILLED] * 20_001}),
     "a million points of ink": INK % ("<trace>" + "1 2," * 10**6 + "</trace>"),
     "groups of ink 10,000 deep": INK % ("<traceGroup>" * 10_000 + "</traceGroup>" * 10_000),
 }
