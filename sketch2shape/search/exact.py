@@ -25,7 +25,6 @@ MOST_TRIED = 12
 """Hypotheses that are verified: the right one is among the first few."""
 IN_THREES = 3
 """Ways that lead from each vertex along edges that are all drawn."""
-ALL_VERTICES = 2
 
 Some = TypeVar("Some", bound="Verified")
 
@@ -70,7 +69,7 @@ def find_exact(ink: Ink) -> Verified | None:
 def _wires(lines: RuledLines) -> Iterator[Rings]:
     """Pairs of faces that use all corners; dashes tell which is in front."""
     for rings in wire_hypotheses(ruled_graph(lines), range(MOST_STEPS)):
-        if ALL_VERTICES * sum(rings.sizes) >= len(lines.corners):
+        if len(rings.vertices) >= len(lines.corners):
             yield from (rings, rings.swapped()) if lines.dashed.any() else (rings,)
 
 
