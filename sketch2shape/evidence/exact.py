@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sketch2shape.evidence.overlaps import ONE_WAY
 from sketch2shape.evidence.score import Evidence, drawn_vertices, grown
 from sketch2shape.evidence.visibility import SAMPLES, edge_samples, hidden_depth
 from sketch2shape.evidence.witness import directions, doubled
@@ -68,12 +69,26 @@ def exactly_drawn(rings: Rings, pieces: Floats, dashed: Bools) -> tuple[Evidence
     lines = _style(laid, dashed, depth == 2, ~grown(depth[None] >= 1, length[None], DIVES)[0])
     if lines is None or directions(span, length, SPATIAL) < SPATIAL:
         return None
-    shown = (depth == 0).mean(axis=1)
-    if doubled(a, span, length, shown, SHORTEST) > LAID:
+    if _is_laid(a, span, length) and doubled(a, span, length, (depth == 0).mean(axis=1), SHORTEST) > LAID:
         return None
     drawn = np.ones(len(v) // 2, np.bool_) if lines != "removed" else _drawn(laid, depth, one)
     noise = float(np.sqrt((laid.off[laid.is_whole] ** 2).mean()))
     return Evidence(1.0, 1.0, 1.0, 1.0, lines, drawn), noise
+
+
+def _is_laid(a: Floats, span: Floats, length: Floats) -> bool:
+    """Whether some edge may run along another: a line of its direction that comes as close beside it."""
+    unit = span / length[:, None]
+    sine = np.abs(cross(unit[:, None], unit))
+    to = a - a[:, None]
+    start = cross(unit[:, None], to)
+    end = start + cross(unit[:, None], span[None])
+    near = (np.minimum(np.abs(start), np.abs(end)) <= SHORTEST) | (start * end < 0)
+    along = (to * unit[:, None]).sum(axis=2)
+    far = along + (span[None] * unit[:, None]).sum(axis=2)
+    overlap = np.minimum(np.maximum(along, far), length[:, None]) - np.maximum(np.minimum(along, far), 0.0)
+    np.fill_diagonal(near, False)
+    return bool((near & (sine < ONE_WAY) & (overlap > 0)).any())
 
 
 def _laid(a: Floats, unit: Floats, length: Floats, pieces: Floats) -> _Laid:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -64,6 +65,8 @@ def is_ruled(lines: Iterable[VectorLine], diagonal: float) -> bool:
 
 
 def _length(points: Floats) -> float:
+    if len(points) == 2:
+        return math.hypot(*(points[1] - points[0]).tolist())
     return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 

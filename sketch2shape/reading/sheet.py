@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import groupby
 
 import cv2
 import numpy as np
@@ -47,13 +48,20 @@ def picture_of(
 def _placed(lines: list[VectorLine], page: tuple[float, float] | None) -> VectorDrawing:
     points = checked_points([line.points for line in lines])
     diagonal = float(np.hypot(*np.ptp(points, axis=0))) if len(points) else 0.0
-    if sum(float(np.hypot(*np.diff(line.points, axis=0).T).sum()) for line in lines) > LONGEST * diagonal:
+    if _length(points, lines) > LONGEST * diagonal:
         raise LimitError("its lines are too many or too long: a scribble", remedy="a drawing of one object")
     origin, size = _sheet(points, page)
     scale = 10.0 ** math.ceil(max(0.0, math.log10(SMALLEST / max(float(size.max()), 1e-9))))
     width, height = (max(1, math.ceil(round(n, 3))) for n in (size * scale).tolist())
     moved = tuple(line.mapped(origin, scale) for line in lines)
     return VectorDrawing(moved, (width, height), (float(origin[0]), float(origin[1])), scale)
+
+
+def _length(points: Floats, lines: list[VectorLine]) -> float:
+    """Of all lines together, whose points (n, 2) these are."""
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    ends = np.cumsum([len(line.points) for line in lines], dtype=np.intp)[:-1] - 1
+    return float(steps.sum() - steps[ends].sum())
 
 
 def checked_points(lines: Sequence[Floats]) -> Floats:
@@ -85,11 +93,13 @@ def _seen(drawing: VectorDrawing, source: str) -> Picture:
     width, height = drawing.size
     step = -(-max(width, height) // VIEW)
     pixels = np.full((max(1, height // step), max(1, width // step), 3), 255, np.uint8)
-    for line in drawing.lines:
-        _draw(pixels, (line.points + 0.5) / step - 0.5, line.dashed)
+    for dashed, lines in groupby(drawing.lines, key=lambda line: line.dashed):
+        _draw(pixels, [line.points for line in lines], step, dashed)
     return Picture(pixels, source, drawing.size if step > 1 else None, drawing)
 
 
-def _draw(pixels: NDArray[np.uint8], points: Floats, dashed: bool) -> None:
-    fixed = np.rint(np.clip(points, -(2**15), 2**15) * 16).astype(np.int32)
-    cv2.polylines(pixels, [fixed], False, INK if not dashed else (150, 150, 150), 2, cv2.LINE_AA, 4)
+def _draw(pixels: NDArray[np.uint8], paths: list[Floats], step: int, dashed: bool) -> None:
+    placed = (np.concatenate(paths) + 0.5) / step - 0.5
+    fixed = np.rint(np.clip(placed, -(2**15), 2**15) * 16).astype(np.int32)
+    parts = np.split(fixed, np.cumsum([len(path) for path in paths])[:-1])
+    cv2.polylines(pixels, parts, False, INK if not dashed else (150, 150, 150), 2, cv2.LINE_AA, 4)

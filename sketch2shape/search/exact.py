@@ -68,9 +68,16 @@ def find_exact(ink: Ink) -> Verified | None:
 
 def _wires(lines: RuledLines) -> Iterator[Rings]:
     """Pairs of faces that use all corners; dashes tell which is in front."""
+    dashed = lines.pieces[lines.dashed].reshape(-1, 1, 2)
+
+    def dashes(rings: Rings) -> int:
+        """Ends of dashed lines at the front."""
+        gap = np.concatenate(rings.front) - dashed
+        return int(np.count_nonzero(gap[..., 0] ** 2 + gap[..., 1] ** 2 <= MEET**2))
+
     for rings in wire_hypotheses(ruled_graph(lines), range(MOST_STEPS)):
         if len(rings.vertices) >= len(lines.corners):
-            yield from (rings, rings.swapped()) if lines.dashed.any() else (rings,)
+            yield from sorted((rings, rings.swapped()), key=dashes) if lines.dashed.any() else (rings,)
 
 
 def _verified(hypotheses: Iterator[Rings], lines: RuledLines) -> Iterator[Verified]:
