@@ -74,6 +74,22 @@ def test_a_stroke_in_two_pulls_is_the_same_stroke(places, which):
     assert again.objects[0].confidence > 0.9
 
 
+@CALM
+@given(st.permutations(range(18)), st.sets(st.integers(0, 16)))
+def test_edges_drawn_in_one_pull_are_the_same_edges(order, joined):
+    edges = prism_strokes(HEXAGON, HEXAGON + DEPTH)
+    pulls = [edges[order[0]]]
+    for k, number in enumerate(order[1:]):
+        after = next((e for e in (edges[number], edges[number][::-1]) if np.array_equal(pulls[-1][-1], e[0])), None)
+        if k in joined and after is not None:
+            pulls[-1] = np.concatenate([pulls[-1], after[1:]])
+        else:
+            pulls.append(edges[number])
+    told, again = s2s.reconstruct(strokes=edges), s2s.reconstruct(strokes=pulls)
+    assert same_object(again.objects[0], told.objects[0].f1, told.objects[0].f2, 0.01)
+    assert again.confidences == told.confidences
+
+
 @pytest.mark.parametrize("lines", ["wire", "removed"])
 def test_faces_may_be_drawn_round_in_one_pull_and_edges_twice(lines):
     f1, f2 = HEXAGON, HEXAGON + DEPTH
