@@ -23,7 +23,7 @@ SURELY = 3.0
 """Working pixels behind the outline of the front face from which on a point is surely hidden."""
 DIVES = 6.0
 """Working pixels before an edge is hidden in which it need not be drawn: two of the raster in which that is told."""
-SLIPS = 6
+SLIPS = 10
 """Samples of an edge that is partly hidden which may be told wrongly: along contours that it nears at a small angle."""
 SHORTEST = 2.0
 """Working pixels of the shortest edge that is told apart from none."""

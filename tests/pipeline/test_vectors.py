@@ -157,3 +157,9 @@ def test_what_nobody_sees_follows_from_exact_lines_in_perspective(seed, index):
     strokes, style, truth = pen_strokes("clean_removed_persp", seed, index)
     result = s2s.reconstruct(picture_of([VectorLine(s.path) for s in strokes], page=style.size))
     assert same_object(result.objects[0], np.array(truth["f1"]), np.array(truth["f2"]), 1.0)
+
+
+def test_a_dashed_edge_that_grazes_the_outline_of_what_hides_it_is_in_its_place():
+    strokes, style, truth = pen_strokes("clean_dashed_persp", 77, 4)
+    result = s2s.reconstruct(picture_of([VectorLine(s.path, dashed=s.hidden) for s in strokes], page=style.size))
+    assert same_object(result.objects[0], np.array(truth["f1"]), np.array(truth["f2"]), 1.0)
