@@ -41,7 +41,7 @@ from sketch2shape.search import sweeping, tolerances
 from sketch2shape.sweeps import Way
 
 UNCHANGED = 0.2
-"""Part by which times may differ by chance: on a busy machine, where a mechanism had no say, they did by up to so much."""
+"""Part by which times may differ by chance: on a busy machine they did by up to so much where nothing had changed."""
 
 
 HUGE = 1e9
