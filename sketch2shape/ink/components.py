@@ -20,12 +20,14 @@ class Pieces:
     mask      : (h, w) uint8, 0 or 1
     low, high : (n + 1, 2) x and y of the first and the last pixel of each; row 0 means nothing
     outlines  : n times (k, 1, 2) int32, the turning points of the outline of each, without its holes
+    holes     : (n + 1,) area of the largest hole of each, square pixels; 0 for row 0
     """
 
     mask: NDArray[np.uint8]
     low: Ints
     high: Ints
     outlines: tuple[NDArray[Any], ...]
+    holes: Floats
 
     @cached_property
     def extent(self) -> Floats:
@@ -66,10 +68,16 @@ def connected_pieces(mask: NDArray[np.uint8]) -> Pieces:
     By their outlines: OpenCV's labels take as long, and its measures of what they label four times that.
     """
     contours, tree = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
-    outer = [c for c, above in zip(contours, tree[0, :, 3].tolist(), strict=True) if above < 0] if contours else []
+    parents = tree[0, :, 3].tolist() if contours else []
+    number = np.cumsum([above < 0 for above in parents])
+    outer = [c for c, above in zip(contours, parents, strict=True) if above < 0]
+    holes = np.zeros(len(outer) + 1)
+    for contour, above in zip(contours, parents, strict=True):
+        if above >= 0:
+            holes[number[above]] = max(holes[number[above]], cv2.contourArea(contour))
     low, high = np.zeros((len(outer) + 1, 2), np.intp), np.zeros((len(outer) + 1, 2), np.intp)
     if outer:
         points = np.concatenate(outer)[:, 0]
         starts = np.cumsum([0, *(len(c) for c in outer[:-1])])
         low[1:], high[1:] = np.minimum.reduceat(points, starts), np.maximum.reduceat(points, starts)
-    return Pieces(mask, low, high, tuple(outer))
+    return Pieces(mask, low, high, tuple(outer), holes)

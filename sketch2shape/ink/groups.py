@@ -20,6 +20,12 @@ from sketch2shape.model import Bools, Floats, Ink, Ints, VectorLine
 MARGIN = 8
 SMALLEST = 0.12
 """Groups smaller than this part of the largest are writing, not objects."""
+TOUCH_PENS, TOUCH, APART = 3.0, 0.012, 3.0
+"""Pens, and fraction of the ink's size, up to which pieces are one group; how many times as far they may be where
+strokes stop short of each other."""
+ENCLOSED, WHOLE = 10.0, 0.5
+"""Square pens of the hole of a piece that encloses something, and part of the ink in such pieces below which strokes
+do not meet: a drawing whose lines meet is mostly one piece."""
 CLUTTER = 0.07
 """Connected pieces smaller than this part of their group cannot be told from letters or dashes."""
 
@@ -50,13 +56,21 @@ def split_groups(ink: Ink, most: int = 12) -> list[Group]:
     frame = (left - MARGIN, top - MARGIN, left + width + MARGIN, top + height + MARGIN)
     part = replace(ink, mask=_within(ink.mask, frame), strength=_within(ink.strength, frame))
     pieces = connected_pieces(part.mask.view(np.uint8))
-    owner = _owners(pieces, int(max(3 * ink.pen_width + 3, 0.012 * float(np.hypot(width - 1, height - 1)))))
+    size_of_all = float(np.hypot(width - 1, height - 1))
+    reach = max(TOUCH_PENS * ink.pen_width + 3, TOUCH * size_of_all)
+    owner = _owners(pieces, int(reach if _meet(pieces, ink.pen_width) else APART * reach))
     boxes = {int(g): _box(pieces, owner == g) for g in np.unique(owner[1:])}
     size = {g: float(np.hypot(x1 - x0, y1 - y0)) for g, (x0, y0, x1, y1) in boxes.items()}
     largest = max(size.values())
     names = sorted((g for g in size if size[g] >= max(SMALLEST * largest, 12.0)), key=lambda g: -size[g])
     corner = np.array([left - MARGIN, top - MARGIN], float)
     return [_cut(part, corner, pieces, owner == g, boxes[g]) for g in names[:most]]
+
+
+def _meet(pieces: Pieces, pen: float) -> bool:
+    """Whether most lines belong to pieces that enclose something."""
+    encloses = pieces.holes > ENCLOSED * pen * pen
+    return float(pieces.extent[encloses].sum()) >= WHOLE * float(pieces.extent.max())
 
 
 def _within(plane: NDArray[Any], box: tuple[int, int, int, int]) -> NDArray[Any]:

@@ -10,8 +10,11 @@ from sketch2shape.strokes.junctions import Corners, join_ends
 from sketch2shape.strokes.skeleton import Skeleton
 from sketch2shape.strokes.tracing import Strokes, trace_skeleton
 
-GAPS = 4.0
-"""Pens by which strokes may stop short of their corner: what people leave on purpose."""
+GAPS, WIDEST = 4.0, 0.04
+"""Pens by which strokes may stop short of their corner, which people leave on purpose, and fraction of the drawing's
+size up to which these may be wider, ..."""
+WIDER = 1.5
+"""... in steps of this factor, as long as too many ends meet nothing."""
 LEAST_LOOSE = 6
 """Loose ends of the skeleton below which strokes meet: one that meets no other has two."""
 LEAST_FREE = 0.3
@@ -29,6 +32,9 @@ def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
     wide = join_ends(strokes, GAPS * pen)
     if _short(skeleton, strokes, wide).mean() < LEAST_FREE:
         return None
+    gap, most = GAPS * pen, WIDEST * float(np.hypot(*np.ptp(skeleton.points, axis=0)))
+    while _unmet(wide) > LEAST_FREE and (gap := WIDER * gap) <= most:
+        wide = join_ends(strokes, gap)
     drawn = solid.astype(np.uint8)
     thickness = max(1, round(pen))
     for (k, i), corner in np.ndenumerate(wide.strokes):
@@ -36,6 +42,12 @@ def bridged(skeleton: Skeleton, solid: Bools, tolerance: float) -> Bools | None:
             ends = np.rint([strokes.ends[k, i], wide.points[corner]]).astype(int)
             cv2.line(drawn, ends[0].tolist(), ends[1].tolist(), 1, thickness)
     return drawn.astype(bool)
+
+
+def _unmet(corners: Corners) -> float:
+    """Fraction of the ends of strokes that meet no other stroke."""
+    own = corners.strokes
+    return float((~corners.on[own] & (corners.degree[own] < 2)).mean())
 
 
 def _short(skeleton: Skeleton, strokes: Strokes, corners: Corners) -> Bools:
