@@ -12,13 +12,12 @@ from sketch2shape.evidence.sheet import Sheet, sheet_for
 from sketch2shape.evidence.sweep_calibration import sweep_confidence
 from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses, unexplained_part
 from sketch2shape.evidence.unexplained import unexplained_strokes
-from sketch2shape.evidence.view import STROKE, View, observe
+from sketch2shape.evidence.view import View, observe
 from sketch2shape.evidence.witness import WITNESSES, witnesses
 
 __all__ = [
     "PERFECT",
     "REFUSE_BELOW",
-    "STROKE",
     "SWEEP_WITNESSES",
     "WITNESSES",
     "Comparison",

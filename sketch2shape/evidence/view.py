@@ -26,8 +26,18 @@ NOISE_STEP = 1.5
 """Factor between the noises that are tried."""
 FOREIGN = 2.5
 """Nats for a unit of foreign ink in a scribble, ..."""
-STROKE, STROKE_UNIT = 16.0, 0.25
-"""... and for a whole foreign stroke (four coordinates) and each unit of it, where that is less."""
+END, STROKE_UNIT = 8.0, 0.25
+"""... and for each end of a foreign stroke (two coordinates) and each unit of it, where that is less, ..."""
+END_ON_EDGE, END_AT_VERTEX = 4.0, 2.0
+"""... or for an end that lies on an edge of the object (one coordinate), or at a vertex (which one)."""
+ALONG = 0.96
+"""Cosine of the angle up to which a path goes on as another."""
+AHEAD, MEETING = 4.0, 1.5
+"""Pens from its end over which a path has a direction, and between the ends of paths that meet."""
+MOSTLY = 0.5
+"""Part of a path that is foreign from which on all of it is a foreign stroke."""
+MOST_LINKED = 300
+"""Paths beyond which none is held to go on as another: a page of text, a scribble."""
 SPECK, DASH = 0.2, 0.6
 """How much the ink of small pieces counts, letters, and where they are straight, dashes."""
 STRAIGHT = 0.95
@@ -66,19 +76,68 @@ class View:
         return np.asarray(least * NOISE_STEP ** np.arange(1 + int(np.log(most / least) / np.log(NOISE_STEP))))
 
     @cached_property
+    def units(self) -> Floats:
+        """(p,) units of ink of each path."""
+        return np.asarray(np.bincount(self.path, self.length, len(self.ends)) / self.unit)
+
+    @cached_property
+    def ends(self) -> Floats:
+        """(p, 2, 2) float, pixels, both ends of each path."""
+        return np.array([(p[0], p[-1]) for p in _paths(self.skeleton)], float).reshape(-1, 2, 2)
+
+    @cached_property
+    def follows(self) -> Ints:
+        """(p, 2) int, the path as which each goes on straight at each end, or -1."""
+        return _following(_paths(self.skeleton), self.ends, self.pen)
+
+    @cached_property
     def all_foreign(self) -> float:
         """Nats if no ink is explained."""
-        return float(foreign_price(np.bincount(self.path, self.length, minlength=1) / self.unit).sum())
+        return self.foreign(self.units, np.full(self.ends.shape[:2], END))
+
+    def foreign(self, left: Floats, ends: Floats) -> float:
+        """Nats for foreign ink.
+
+        left : (p,) float, units of each path that are foreign
+        ends : (p, 2) float, nats for each end of each path
+        """
+        foreign = left > MOSTLY * self.units
+        # a stroke that crosses others is told once
+        told = np.where((self.follows >= 0) & foreign[self.follows], 0.0, ends).sum(axis=1)
+        return float(foreign_price(left, np.where(foreign, told, 2 * END)).sum())
 
 
-def foreign_price(units: Any) -> Any:
-    """Nats for foreign ink on paths of so many units each."""
-    return np.minimum(FOREIGN * units, (STROKE + STROKE_UNIT * units) * (np.asarray(units) > 0))
+def foreign_price(units: Any, ends: Any = 2 * END) -> Any:
+    """Nats for foreign ink on paths of so many units each, and so many nats for their ends."""
+    return np.minimum(FOREIGN * units, (ends + STROKE_UNIT * units) * (np.asarray(units) > 0))
+
+
+def _paths(skeleton: Skeleton) -> list[NDArray[Any]]:
+    return [p for p in skeleton.paths if len(p)] or [np.zeros((1, 2), np.int32)]
+
+
+def _following(paths: list[NDArray[Any]], ends: Floats, pen: float) -> Ints:
+    """See `View.follows`."""
+    none = np.full((len(paths), 2), -1)
+    if len(paths) > MOST_LINKED:
+        return none
+    near = round(AHEAD * pen) + 1
+    inner = np.array([(p[min(near, len(p) - 1)], p[max(len(p) - 1 - near, 0)]) for p in paths], float)
+    out = (ends - inner).reshape(-1, 2)
+    out /= np.hypot(*out.T)[:, None] + 1e-9
+    at = ends.reshape(-1, 2)
+    apart = np.abs(at[:, None] - at).max(axis=2)
+    turned = np.where(apart <= MEETING * pen + 1.5, out @ out.T, 1.0)
+    own = np.arange(len(at))
+    turned[own, own] = turned[own, own ^ 1] = 1.0
+    best = turned.argmin(axis=1)
+    mutual = (best[best] == own) & (turned[own, best] < -ALONG)
+    return np.asarray(np.where(mutual, best // 2, none.ravel()).reshape(-1, 2))
 
 
 def observe(group: Group, skeleton: Skeleton) -> View:
     """The view of a group of ink."""
-    paths = [p for p in skeleton.paths if len(p)] or [np.zeros((0, 2), np.int32)]
+    paths = _paths(skeleton) if len(skeleton.points) else [np.zeros((0, 2), np.int32)]
     pixels, owner = np.concatenate(paths), np.repeat(np.arange(len(paths)), [len(p) for p in paths])
     step = max(1, -(-len(pixels) // (MOST_KNOWN if skeleton.is_known else MOST_POINTS)))
     points, owner = pixels[::step], owner[::step]
