@@ -1,8 +1,7 @@
 """Unions: faces that lines cut into several regions, put together again.
 
 A diagonal, a section, a hatching line or an arrow across a face splits what the ink encloses. A face is then a union of
-neighbouring regions; the fewer vertices and the fewer dents such a union has, the likelier it is a face. Several
-diagonals meet inside the face: all regions around such a point are a union of their own.
+neighbouring regions; the fewer vertices and the fewer dents such a union has, the likelier it is a face.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ from collections.abc import Iterator
 
 import cv2
 import numpy as np
-from shapely import Polygon, area, convex_hull, distance, intersects, points, unary_union
+from shapely import Polygon, area, convex_hull, intersects, unary_union
 from shapely.geometry.base import BaseGeometry
 
 from sketch2shape.hypotheses.regions import Region
@@ -29,16 +28,12 @@ DENT_PRICE = 10.0
 """Vertices that are as unlikely as a union which fills none of its convex hull."""
 NOTCH = 3.0
 """Half the width of notches between the parts of a union, over the gap between regions."""
-LEAST_AROUND = 4
-"""Regions around a point at least: two lines that cross part as many."""
-INWARD = 4.0
-"""Depth of such a point in its union, over the gap between regions: one on the outline has a region too few."""
 MOST_VERTICES = 16
 """Vertices of a union that could be a face."""
 
 
 def united(regions: list[Region], pen: float, tolerance: float) -> Iterator[Region]:
-    """Unions of two and more neighbouring regions, those around a point first, then the plainest first.
+    """Unions of two and more neighbouring regions, the plainest first.
 
     pen, tolerance : pixels, stroke width and how far a line may stray
     """
@@ -46,8 +41,6 @@ def united(regions: list[Region], pen: float, tolerance: float) -> Iterator[Regi
     some = regions[:MOST_REGIONS]
     shapes = [Polygon(r.outline).buffer(0).buffer(gap, join_style="mitre") for r in some]
     near = [[j for j, b in enumerate(shapes) if j != i and intersects(a, b)] for i, a in enumerate(shapes)]
-    around = _around_points([r.outline for r in some], shapes, gap)
-    yield from (region for _, region, _ in sorted(_ranked(around, shapes, gap, tolerance), key=lambda r: r[0]))
     level = {frozenset([i]) for i in range(len(some))}
     seen = set(level)
     for _ in range(1, MOST_PARTS):
@@ -56,18 +49,6 @@ def united(regions: list[Region], pen: float, tolerance: float) -> Iterator[Regi
         ranked = sorted(_ranked(grown, shapes, gap, tolerance), key=lambda r: r[0])[: 2 * KEPT]
         yield from (region for _, region, _ in ranked)
         level = {members for _, _, members in ranked[:KEPT]}
-
-
-def _around_points(outlines: list[Floats], shapes: list[BaseGeometry], gap: float) -> set[frozenset[int]]:
-    """The regions that meet in one point, with nothing between them."""
-    found: dict[frozenset[int], BaseGeometry] = {}
-    for point in points(np.concatenate(outlines)) if outlines else ():
-        members = frozenset(np.flatnonzero(distance(shapes, point) <= gap).tolist())
-        if len(members) >= LEAST_AROUND and members not in found:
-            whole = unary_union([shapes[i] for i in sorted(members)])
-            if distance(whole.boundary, point) > INWARD * gap:
-                found[members] = whole
-    return set(found)
 
 
 def _ranked(

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, line, prism, shrunk
 
 from sketch2shape.evidence.energy import BLUR, CORRELATED, WITHIN, compare, nearest_edges
-from sketch2shape.evidence.view import FOREIGN, STROKE, STROKE_UNIT, foreign_price, observe
+from sketch2shape.evidence.view import END, END_AT_VERTEX, FOREIGN, STROKE_UNIT, foreign_price, observe
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.ink import split_groups
 from sketch2shape.strokes.skeleton import thin
@@ -92,7 +92,7 @@ def test_a_foreign_stroke_costs_the_right_answer_and_the_wrong_one_alike():
     marked = line(clean.copy(), HEXAGON[0], [470, 380])
     right = Rings((HEXAGON,), (HEXAGON + [110, -20],))
     rise = priced(right, marked).total - priced(right, clean).total
-    assert 5 < rise < 2.5 * (STROKE + STROKE_UNIT * 100)
+    assert 5 < rise < 2.5 * (2 * END + STROKE_UNIT * 100)
 
 
 @pytest.mark.parametrize("turn", [None, cv2.ROTATE_90_CLOCKWISE, cv2.ROTATE_180])
@@ -113,7 +113,7 @@ def test_turned_or_inverted_drawings_cost_the_same(turn):
 
 def test_foreign_paths_cost_by_length_until_a_stroke_tells_them_more_briefly():
     assert foreign_price(np.array([0.0, 2.0])).tolist() == [0.0, 2 * FOREIGN]
-    assert foreign_price(np.array([100.0]))[0] == STROKE + 100 * STROKE_UNIT
+    assert foreign_price(np.array([100.0]))[0] == 2 * END + 100 * STROKE_UNIT
 
 
 def test_the_nearest_edge_is_the_nearest_shown_part():
