@@ -13,6 +13,7 @@ from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.exact import Verified, find_exact
+from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.search import Found, find, observed
 from sketch2shape.search.sweeping import SLIGHT, FoundSweep, find_sweep
 from sketch2shape.strokes import Skeleton
@@ -76,12 +77,15 @@ def find_one(group: Group) -> AnyFound | None:
     if swept is not None and _is_given(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
         return swept
     straight = find(seen)
+    drilled = find_drilled(seen, straight) if straight is not None and _leaves_some(straight) else None
+    if drilled is not None and drilled.confidence >= LIKELY and drilled.unexplained <= SLIGHT:
+        return drilled
     doubted = straight is None or straight.confidence < TRUSTED or _leaves_some(straight)
     if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
         hopeless = straight is None or straight.confidence < REFUSE_BELOW
         below = np.inf if straight is None or straight.energy is None else straight.energy.total
         swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, below=below)
-    return _better(straight, swept)
+    return _better(straight, min((s for s in (drilled, swept) if s is not None), key=lambda s: s.nats, default=None))
 
 
 def _leaves_some(straight: Found) -> bool:

@@ -6,7 +6,7 @@ against the drawing in nats like all other hypotheses, moved to the ink, rid of 
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TypeAlias
@@ -35,6 +35,7 @@ from sketch2shape.sweeps import (
     cut_ring,
     in_one_frame,
     redraw,
+    rounded,
 )
 
 NOISE_OF_MEDIAN = 1.5
@@ -127,8 +128,8 @@ class FoundSweep:
         return replace(self, gap=gap, witnesses=told, confidence=sweep_confidence(told))
 
 
-def _priced(scene: Scene, sweep: Sweep) -> FoundSweep:
-    """Held against the drawing, with lines at smooth joints if that is cheaper."""
+def priced(scene: Scene, sweep: Sweep) -> FoundSweep:
+    """A sweep held against the drawing, with lines at smooth joints if that is cheaper."""
     ways = [sweep]
     if any(ring.smooth.any() for ring in sweep.rings):
         ways = [replace(sweep, tangents=drawn) for drawn in (False, True)]
@@ -171,15 +172,15 @@ def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
     """Sweeps to start from, the likeliest sources first."""
     for pairs in pairs_of(scene, bowed=arcs):
         yield [b for pair in pairs if arcs or pair.holes for b in _outlined(pair, scene)]
-    yield [(_priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
+    yield [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
 
 
 def _outlined(pair: Pair, scene: Scene) -> list[_Begun]:
     """The first way to cut its outline, of an ellipse the first two."""
     cuts = cut(pair, scene)
-    first = [_priced(scene, s) for s in islice(cuts, 1)]
+    first = [priced(scene, s) for s in islice(cuts, 1)]
     if first and first[0].sweep.rings[0].circle is not None:
-        first += [_priced(scene, s) for s in islice(cuts, 1)]
+        first += [priced(scene, s) for s in islice(cuts, 1)]
     return [(f, cuts) for f in first]
 
 
@@ -272,12 +273,16 @@ def _is_same(a: FoundSweep, b: FoundSweep, size: float) -> bool:
 
 def _improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
-    found = min((_moved(f, scene) for f in (found, *(_priced(scene, s) for s in others))), key=lambda f: f.nats)
-    found = _with_holes(found, scene)
+    found = min((_moved(f, scene) for f in (found, *(priced(scene, s) for s in others))), key=lambda f: f.nats)
+    return finished(with_holes(found, scene, _closed_lines(found.sweep, scene)), scene)
+
+
+def finished(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """In perspective, without needless vertices, and seen from the other side, if that is cheaper."""
     found = _in_perspective(found, scene)
     found = _simpler(found, scene)
     if found.sweep.way.centre is None:
-        other = _priced(scene, found.sweep.reversed())
+        other = priced(scene, found.sweep.reversed())
         found = min(found, other, key=lambda f: f.nats)
     return found
 
@@ -287,7 +292,7 @@ def _moved(found: FoundSweep, scene: Scene) -> FoundSweep:
     moved = polished(found.sweep, scene.tree, scene.reach)
     if moved.has_arcs and is_flat(moved.way, moved.rings[0].line, scene):
         return found
-    return min(found, _priced(scene, moved), key=lambda f: f.nats)
+    return min(found, priced(scene, moved), key=lambda f: f.nats)
 
 
 def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
@@ -301,35 +306,49 @@ def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
     return found if moved is begun else moved
 
 
-def _with_holes(found: FoundSweep, scene: Scene) -> FoundSweep:
-    """With those closed lines inside the outer ring as holes that make the drawing cheaper to tell."""
+def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within: float = WITHIN) -> FoundSweep:
+    """With those closed lines inside the outer ring, by so many pixels, as holes that make the drawing cheaper to tell."""
     if found.sweep.way.is_pointed:
         return found
-    for loop in _inner_loops(found.sweep, scene):
+    for loop in _inner(loops, found.sweep, within):
         rings = found.sweep.rings
         if any(are_close(loop, ring.line, ALIKE * scene.size) for ring in rings):
             continue
-        frame = found.sweep.frame
-        hints = (frame.ratio,) if found.sweep.has_arcs else ()
-        axis = found.sweep.way.shift if found.sweep.way.centre is None else found.sweep.way.of(loop).mean(axis=0)
-        along = frame.along if found.sweep.has_arcs else axis / (np.hypot(*axis) + 1e-9)
-        for told in islice(cut_ring(evenly(loop), along, scene.skeleton.pen_width, hints), 1):
-            holed = _priced(scene, replace(found.sweep, rings=in_one_frame((*rings, told.outline))))
+        for hole in _cut_holes(loop, found.sweep, scene.skeleton.pen_width):
+            holed = priced(scene, replace(found.sweep, rings=in_one_frame((*rings, hole))))
             if holed.nats < found.nats + HOPEFUL:
                 found = min(found, _moved(holed, scene), key=lambda f: f.nats)
     return found
 
 
-def _inner_loops(sweep: Sweep, scene: Scene) -> Iterator[Floats]:
-    """Closed lines inside the outer ring of the front face, the largest first."""
-    outer = sweep.rings[0].line.astype(np.float32)
+def _cut_holes(loop: Floats, sweep: Sweep, pen: float) -> Iterator[Outline]:
+    """What hole a closed line may be: cut into lines and arcs, and a circle of the frame that other arcs tell."""
+    frame = sweep.frame
+    if not sweep.has_arcs:
+        axis = sweep.way.shift if sweep.way.centre is None else sweep.way.of(loop).mean(axis=0)
+        yield next(cut_ring(evenly(loop), axis / (np.hypot(*axis) + 1e-9), pen)).outline
+        return
+    told = next(cut_ring(evenly(loop), frame.along, pen, (frame.ratio,))).outline
+    yield told
+    if told.circle is None:
+        yield rounded(evenly(loop), frame)
+
+
+def _closed_lines(sweep: Sweep, scene: Scene) -> list[Floats]:
+    """Closed lines of the drawing, the largest first."""
     loops = [loop.line for loop in scene.loops]
     if sweep.way.centre is None:
         reach = max(LEAST_NEAR, NEAR_PENS * scene.skeleton.pen_width)
         loops = [*coherent_loops(scene.skeleton, sweep.way.shift, reach, scene.size)[1:], *loops]
+    return loops
+
+
+def _inner(loops: Iterable[Floats], sweep: Sweep, within: float) -> Iterator[Floats]:
+    """Those inside the outer ring of the front face."""
+    outer = sweep.rings[0].line.astype(np.float32)
     for loop in loops:
         some = loop[:: max(1, len(loop) // 24)]
-        if min(cv2.pointPolygonTest(outer, (float(x), float(y)), True) for x, y in some) > WITHIN:
+        if min(cv2.pointPolygonTest(outer, (float(x), float(y)), True) for x, y in some) > within:
             yield loop
 
 
@@ -341,7 +360,7 @@ def _simpler(found: FoundSweep, scene: Scene) -> FoundSweep:
         for k, ring in enumerate(found.sweep.rings):
             for other in _with_one_less(ring):
                 rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
-                way = _priced(scene, replace(found.sweep, rings=rings))
+                way = priced(scene, replace(found.sweep, rings=rings))
                 if way.nats < found.nats + HOPEFUL:
                     way = _moved(way, scene)
                 if way.nats < found.nats:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sketch2shape.sweeps.cells import Cells
 from sketch2shape.sweeps.loops import LEAST_PATH, Loop, coherent_loops, ellipses, enclosed_loops
 from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
-from sketch2shape.sweeps.pieces import cut_ring
+from sketch2shape.sweeps.pieces import cut_ring, rounded
 from sketch2shape.sweeps.pyramids import pyramids
 from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
 from sketch2shape.sweeps.ways import (
@@ -39,6 +39,7 @@ __all__ = [
     "in_one_frame",
     "pyramids",
     "redraw",
+    "rounded",
     "seen_vertices",
     "settled",
     "settled_wire",

@@ -92,6 +92,12 @@ def cut_ring(ring: Floats, along: Floats, pen: float, hints: tuple[float, ...] =
             yield cuts[-1]
 
 
+def rounded(ring: Floats, frame: Frame) -> Outline:
+    """The circle of a frame that is nearest to a closed line (k, 2), pixels."""
+    none = np.zeros(0)
+    return Outline(frame, np.zeros((0, 2)), none, none.astype(np.bool_), _circle_of(frame.flat(ring)))
+
+
 def _is_alike(a: Outline, b: Outline) -> bool:
     return np.array_equal(a.curved, b.curved) and np.array_equal(a.smooth, b.smooth)
 
@@ -293,8 +299,7 @@ def _outlined(ring: Floats, told: _Told, frame: Frame, runs: _Runs) -> Outline:
     """The ring with its vertices where its pieces meet."""
     flat = frame.flat(ring)
     if not len(told.breaks):
-        none = np.zeros(0)
-        return Outline(frame, np.zeros((0, 2)), none, none.astype(np.bool_), _circle_of(flat))
+        return rounded(ring, frame)
     n, k = len(told.breaks), len(ring)
     shapes, middles = [], []
     for m in range(n):

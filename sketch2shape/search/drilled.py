@@ -1,0 +1,97 @@
+"""Drilled: straight objects with round holes.
+
+The straight search tells the outline; what ink it leaves within a face, and again where that is moved to the back face,
+are holes. Which two faces they join is open: any two opposite sides of a box may be drilled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sketch2shape.evidence import nearest_edges
+from sketch2shape.hypotheses import Rings, frame, split
+from sketch2shape.model import Floats
+from sketch2shape.search.search import Found, Observed
+from sketch2shape.search.sweep_pairs import Scene
+from sketch2shape.search.sweeping import FoundSweep, finished, priced, with_holes
+from sketch2shape.strokes import Skeleton
+from sketch2shape.sweeps import Frame, Outline, Sweep, Way, coherent_loops
+
+OTHER_SIDES = ((0, 1, 5, 4, 3, 2, 6, 7), (1, 2, 6, 5, 0, 3, 7, 4))
+"""Vertices of a box, front face first, by its other pairs of opposite sides."""
+SPREAD = 0.05
+"""Fraction of a face's size by which its vertices are moved unlike each other at most: more is perspective."""
+STRAYS = 4.0
+"""Standard deviations of the hand, and half pens, within which ink belongs to the straight edges."""
+INSIDE = -1.5
+"""Pixels by which a hole lies inside its face at least: one may come close to the face's edge."""
+LEAST_NEAR, NEAR_PENS = 2.0, 0.5
+"""Pixels, and pens, within which the ink of a hole lies on ink when it is moved to the back face."""
+
+
+def find_drilled(seen: Observed, straight: Found) -> FoundSweep | None:
+    """A straight answer with round holes in it, or None if there are none."""
+    scene = Scene(seen.drawn, seen.skeleton, seen.view)
+    left = _left(seen.skeleton, straight)
+    if left is None:
+        return None
+    found: list[FoundSweep] = []
+    for sweep in _sides(straight.rings):
+        whole = priced(scene, sweep)
+        holed = with_holes(whole, scene, _loops(left, sweep, scene), INSIDE)
+        if holed.sweep.has_arcs:
+            found.append(finished(holed, scene).against(np.inf))
+    return min(found, key=lambda f: f.nats, default=None)
+
+
+def _sides(rings: Rings) -> Iterator[Sweep]:
+    """The object as a front face moved to the back, either face in front, of a box in each of three ways."""
+    ways = [rings]
+    if rings.sizes == (4,):
+        ways += [split(rings.vertices[list(order)], (4,)) for order in OTHER_SIDES]
+    for way in ways:
+        for sweep in _moved(way):
+            yield from (sweep, sweep.reversed())
+
+
+def _moved(rings: Rings) -> Iterator[Sweep]:
+    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
+    shift = (back - front).mean(axis=0)
+    size = float(np.hypot(*np.ptp(front, axis=0)))
+    if np.abs(back - front - shift).max() > SPREAD * size:
+        return
+    along = shift / (np.hypot(*shift) + 1e-9)
+    middle = [0.5 * (f + b - shift) for f, b in zip(rings.front, rings.back, strict=True)]
+    outlines = tuple(
+        Outline(Frame(along, 1.0), ring, np.zeros(len(ring)), np.zeros(len(ring), np.bool_)) for ring in middle
+    )
+    yield Sweep(outlines, Way(shift))
+
+
+def _left(skeleton: Skeleton, straight: Found) -> Skeleton | None:
+    """The skeleton without the ink of the straight edges; None if nothing is left."""
+    v, edges = straight.rings.vertices, frame(straight.rings.sizes).edges
+    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    reach = max(STRAYS * straight.noise, 0.5 * skeleton.pen_width) + 1.0
+    distance, _ = nearest_edges(skeleton.points, a, span)
+    points = skeleton.points[distance > reach]
+    if not len(points):
+        return None
+    mask = np.zeros_like(skeleton.mask)
+    x, y = np.rint(points).astype(np.intp).T
+    mask[y, x] = 1
+    return Skeleton(mask, points, (), skeleton.pen_width)
+
+
+def _loops(left: Skeleton, sweep: Sweep, scene: Scene) -> list[Floats]:
+    """Closed lines of the front face: of ink that is left and lies on such ink on the back face, then of any ink."""
+    reach, shift = max(LEAST_NEAR, NEAR_PENS * left.pen_width), sweep.way.shift
+    coherent = [
+        loop - by
+        for skeleton in (left, scene.skeleton)
+        for way, by in ((shift, np.zeros(2)), (-shift, shift))
+        for loop in coherent_loops(skeleton, way, reach, scene.size)
+    ]
+    return [*coherent, *(e.line for e in scene.ellipses)]
