@@ -39,7 +39,7 @@ CARELESS = 0.0025
 """Fraction of the drawing's size by which a hand misplaces a back vertex even if its lines are straight."""
 LEAST_APART, APART = 2.0, 0.5
 """Pixels, or pens if that is more, between two edges drawn as one line."""
-AT_END = 1.5
+AT_END = 2.5
 """Units between the end of a foreign stroke and the vertex or the edge where it ends."""
 STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""

@@ -12,8 +12,8 @@ from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
-from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.drilled import find_drilled
+from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.search import Found, find, observed
 from sketch2shape.search.sweeping import SLIGHT, FoundSweep, find_sweep
 from sketch2shape.strokes import Skeleton

@@ -307,7 +307,7 @@ def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
 
 
 def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within: float = WITHIN) -> FoundSweep:
-    """With those closed lines inside the outer ring, by so many pixels, as holes that make the drawing cheaper to tell."""
+    """With those closed lines inside the outer ring, by so many pixels, as holes that make it cheaper to tell."""
     if found.sweep.way.is_pointed:
         return found
     for loop in _inner(loops, found.sweep, within):

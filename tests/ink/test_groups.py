@@ -2,9 +2,10 @@
 
 import cv2
 import numpy as np
-from sketches import DEPTH, SQUARE, ink_of, outline, paper, prism
+from sketches import DEPTH, SQUARE, ink_of, line, outline, paper, prism
 
 from sketch2shape.ink.groups import split_groups
+from sketch2shape.model import ring_edges
 
 
 def boxes(groups):
@@ -25,6 +26,23 @@ def test_two_objects_on_a_sheet_are_two_groups_the_larger_first():
     assert len(groups) == 2
     large = np.r_[SQUARE, SQUARE + DEPTH]
     assert np.abs(boxes(groups)[0] - [*large.min(axis=0), *large.max(axis=0)]).max() < 4
+
+
+def test_strokes_that_do_not_meet_are_one_group_however_far_they_stop_short():
+    picture = paper()
+    vertices = np.concatenate([SQUARE, SQUARE + DEPTH])
+    for i, j in ring_edges([4]):
+        way = (vertices[j] - vertices[i]) / np.linalg.norm(vertices[j] - vertices[i])
+        line(picture, vertices[i] + 14.0 * way, vertices[j] - 14.0 * way)
+    assert len(split_groups(ink_of(picture))) == 1
+
+
+def test_objects_whose_strokes_meet_are_apart_where_such_strokes_would_not_be():
+    picture = paper(400, 900)
+    beside = SQUARE + [np.ptp(SQUARE[:, 0]) + 18.0, 0.0]
+    outline(SQUARE, picture=picture)
+    outline(beside, picture=picture)
+    assert len(split_groups(ink_of(picture))) == 2
 
 
 def test_a_hole_belongs_to_the_object_around_it():

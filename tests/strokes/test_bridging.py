@@ -47,5 +47,11 @@ def test_gaps_that_corners_bridge_are_closed_all_the_same():
     assert same_object(s2s.reconstruct(picture).objects[0], SQUARE, SQUARE + DEPTH, 5.0)
 
 
+def test_wider_gaps_are_closed_where_most_ends_meet_nothing():
+    """Seven pens at every end of every stroke, in a drawing that falls apart into pieces."""
+    picture = short_of_corners(SQUARE, SQUARE + DEPTH, 14.0)
+    assert same_object(s2s.reconstruct(picture).objects[0], SQUARE, SQUARE + DEPTH, 5.0)
+
+
 def test_strokes_that_run_on_past_their_corners_are_not_short():
     assert bridges(short_of_corners(SQUARE, SQUARE + DEPTH, -14.0)) is None
