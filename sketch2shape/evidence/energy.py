@@ -41,6 +41,8 @@ LEAST_APART, APART = 2.0, 0.5
 """Pixels, or pens if that is more, between two edges drawn as one line."""
 AT_END = 2.5
 """Units between the end of a foreign stroke and the vertex or the edge where it ends."""
+LIKELY_HOLE = 12.0
+"""Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
 STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
 
@@ -103,6 +105,7 @@ class Comparison:
     front   : number of front vertices, or what tells as much
     laid    : edges along others, each an accident of the view that costs a coordinate
     ends    : (p, 2) float, nats for each end of each path of ink if it is foreign
+    holes   : number of holes
     """
 
     view: View
@@ -116,6 +119,7 @@ class Comparison:
     front: float
     ends: Floats
     laid: int = 0
+    holes: int = 0
 
     @cached_property
     def _told(self) -> dict[float, Energy]:
@@ -165,7 +169,7 @@ class Comparison:
     def _shape(self, noise: float, digit: float) -> float:
         slack = 1.5 * noise + CARELESS * self.view.size
         maps = (p * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum()) for p, off in self.misses)
-        return (2 * self.front + self.laid) * digit + min(maps)
+        return (2 * self.front + self.laid) * digit + min(maps) - LIKELY_HOLE * self.holes
 
 
 def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison:
@@ -196,7 +200,8 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     off = interpolated(view.skeleton.distance, samples[0])
     ends = ends_told(view, v, nearest_edges(view.ends.reshape(-1, 2), a, span)[0])
     misses = _misses(v[:m], v[m:], drawn)
-    return Comparison(view, lengths, off, wanted, hidden * each, every, seen, misses, m, ends, laid)
+    holes = len(rings.sizes) - 1
+    return Comparison(view, lengths, off, wanted, hidden * each, every, seen, misses, m, ends, laid, holes)
 
 
 def ends_told(view: View, vertices: Floats, off: Floats) -> Floats:

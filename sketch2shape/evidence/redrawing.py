@@ -42,6 +42,7 @@ def compare_sweep(sweep: Sweep, view: View, margin: float, solid: NDArray[np.flo
         misses=((sweep.way.numbers, np.zeros(1)),),
         front=sweep.shape_numbers / 2,
         ends=_ends_of_foreign(view, sweep, drawn),
+        holes=len(sweep.rings) - 1,
     )
 
 

@@ -61,8 +61,6 @@ LEANS, PLUMB = 6.0, 0.03
 LEAST_BEHIND, BESIDE = 0.08, 0.02
 """Length of what is seen behind a near front face, over that of its outline, at least; and fraction of the drawing's
 size within which it is beside that outline."""
-LIKELY_HOLE = 12.0
-"""Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
 LEAST_NEAR, NEAR_PENS = 3.0, 0.5
 """Pixels, and pens, within which a hole's ink lies on ink when it is moved to the back face."""
 FLAT = 0.12
@@ -98,9 +96,8 @@ class FoundSweep:
 
     @property
     def nats(self) -> float:
-        """What the object and the drawing cost, how it stands, and that a closed line in a face is seldom foreign."""
-        holes = len(self.sweep.rings) - 1
-        return self.energy.total + _leaning(self.sweep) - LIKELY_HOLE * holes
+        """What the object and the drawing cost, and how it stands."""
+        return self.energy.total + _leaning(self.sweep)
 
     @property
     def unexplained(self) -> float:
