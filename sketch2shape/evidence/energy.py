@@ -16,7 +16,7 @@ import numpy as np
 
 from sketch2shape.evidence.overlaps import coincidences
 from sketch2shape.evidence.score import grown
-from sketch2shape.evidence.view import END, END_AT_VERTEX, END_ON_EDGE, View, foreign_price
+from sketch2shape.evidence.view import View, foreign_price
 from sketch2shape.evidence.visibility import edge_samples, hidden_depth
 from sketch2shape.geometry import homology, map_fits
 from sketch2shape.hypotheses import Rings, stack
@@ -39,8 +39,6 @@ CARELESS = 0.0025
 """Fraction of the drawing's size by which a hand misplaces a back vertex even if its lines are straight."""
 LEAST_APART, APART = 2.0, 0.5
 """Pixels, or pens if that is more, between two edges drawn as one line."""
-AT_END = 2.5
-"""Units between the end of a foreign stroke and the vertex or the edge where it ends."""
 LIKELY_HOLE = 12.0
 """Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
 STEADY = 2.5
@@ -104,7 +102,6 @@ class Comparison:
     misses  : for each kind of plane map, its parameters and (k,) pixels by which drawn back vertices miss it
     front   : number of front vertices, or what tells as much
     laid    : edges along others, each an accident of the view that costs a coordinate
-    ends    : (p, 2) float, nats for each end of each path of ink if it is foreign
     holes   : number of holes
     """
 
@@ -117,7 +114,6 @@ class Comparison:
     seen: tuple[Floats, Ints]
     misses: tuple[tuple[int, Floats], ...]
     front: float
-    ends: Floats
     laid: int = 0
     holes: int = 0
 
@@ -164,7 +160,7 @@ class Comparison:
         crowd = np.bincount(edge[near], view.length[near], len(self.lengths)) - CROWDED * self.lengths
         residual += foreign_price(float(np.maximum(crowd, 0.0).sum()) / view.unit)
         left = np.bincount(view.path[~near], view.length[~near], len(view.ends)) / view.unit
-        return residual, view.foreign(left, self.ends)
+        return residual, view.foreign(left)
 
     def _shape(self, noise: float, digit: float) -> float:
         slack = 1.5 * noise + CARELESS * self.view.size
@@ -198,22 +194,9 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     reach = max(LEAST_APART, APART * view.pen)
     laid = coincidences(a, span, lengths + 1e-9, np.asarray((depth == 0).mean(axis=1)), reach)
     off = interpolated(view.skeleton.distance, samples[0])
-    ends = ends_told(view, v, nearest_edges(view.ends.reshape(-1, 2), a, span)[0])
     misses = _misses(v[:m], v[m:], drawn)
     holes = len(rings.sizes) - 1
-    return Comparison(view, lengths, off, wanted, hidden * each, every, seen, misses, m, ends, laid, holes)
-
-
-def ends_told(view: View, vertices: Floats, off: Floats) -> Floats:
-    """(p, 2) float, nats for each end of each path of ink if it is foreign: less where the object has told the place.
-
-    vertices : (k, 2) float, pixels
-    off      : (2p,) float, pixels from each end to the object's lines
-    """
-    reach = AT_END * view.unit
-    at_vertex = (np.abs(view.ends.reshape(-1, 1, 2) - vertices).max(axis=2) <= reach).any(axis=1)
-    told = np.where(at_vertex, END_AT_VERTEX, np.where(off <= reach, END_ON_EDGE, END))
-    return np.asarray(told.reshape(-1, 2))
+    return Comparison(view, lengths, off, wanted, hidden * each, every, seen, misses, m, laid, holes)
 
 
 def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:

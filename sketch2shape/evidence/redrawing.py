@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.evidence.energy import MISSING, Comparison, ends_told
+from sketch2shape.evidence.energy import MISSING, Comparison
 from sketch2shape.evidence.view import View
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes import interpolated
@@ -41,16 +41,8 @@ def compare_sweep(sweep: Sweep, view: View, margin: float, solid: NDArray[np.flo
         seen=_nearest(view.points, drawn, ~hidden) if hidden.any() else every,
         misses=((sweep.way.numbers, np.zeros(1)),),
         front=sweep.shape_numbers / 2,
-        ends=_ends_of_foreign(view, sweep, drawn),
         holes=len(sweep.rings) - 1,
     )
-
-
-def _ends_of_foreign(view: View, sweep: Sweep, drawn: Redrawn) -> Floats:
-    """See `Comparison.ends`: the middle of a face is a place of the object too, from which radii are drawn."""
-    front = np.concatenate([p for ring in sweep.rings for p in (ring.vertices, ring.middle[None])])
-    off, _ = _nearest(view.ends.reshape(-1, 2), drawn, np.ones(len(drawn.points), np.bool_))
-    return ends_told(view, np.concatenate([front, front + sweep.way.of(front)]), off)
 
 
 def _nearest(points: Floats, drawn: Redrawn, some: Bools) -> tuple[Floats, Ints]:

@@ -26,10 +26,8 @@ NOISE_STEP = 1.5
 """Factor between the noises that are tried."""
 FOREIGN = 2.5
 """Nats for a unit of foreign ink in a scribble, ..."""
-END, STROKE_UNIT = 8.0, 0.25
-"""... and for each end of a foreign stroke (two coordinates) and each unit of it, where that is less, ..."""
-END_ON_EDGE, END_AT_VERTEX = 4.0, 2.0
-"""... or for an end that lies on an edge of the object (one coordinate), or at a vertex (which one)."""
+STROKE, STROKE_UNIT = 16.0, 0.25
+"""... and for a whole foreign stroke (four coordinates) and each unit of it, where that is less."""
 ALONG = 0.96
 """Cosine of the angle up to which a path goes on as another."""
 AHEAD, MEETING = 4.0, 1.5
@@ -93,23 +91,19 @@ class View:
     @cached_property
     def all_foreign(self) -> float:
         """Nats if no ink is explained."""
-        return self.foreign(self.units, np.full(self.ends.shape[:2], END))
+        return self.foreign(self.units)
 
-    def foreign(self, left: Floats, ends: Floats) -> float:
-        """Nats for foreign ink.
-
-        left : (p,) float, units of each path that are foreign
-        ends : (p, 2) float, nats for each end of each path
-        """
+    def foreign(self, left: Floats) -> float:
+        """Nats for foreign ink; left: (p,) float, units of each path that are foreign."""
         foreign = left > MOSTLY * self.units
         # a stroke that crosses others is told once
-        told = np.where((self.follows >= 0) & foreign[self.follows], 0.0, ends).sum(axis=1)
-        return float(foreign_price(left, np.where(foreign, told, 2 * END)).sum())
+        told = (self.follows >= 0) & foreign[self.follows] & foreign[:, None]
+        return float(foreign_price(left, STROKE * (1.0 - told.mean(axis=1))).sum())
 
 
-def foreign_price(units: Any, ends: Any = 2 * END) -> Any:
-    """Nats for foreign ink on paths of so many units each, and so many nats for their ends."""
-    return np.minimum(FOREIGN * units, (ends + STROKE_UNIT * units) * (np.asarray(units) > 0))
+def foreign_price(units: Any, stroke: Any = STROKE) -> Any:
+    """Nats for foreign ink on paths of so many units each, and so many nats for the stroke."""
+    return np.minimum(FOREIGN * units, (stroke + STROKE_UNIT * units) * (np.asarray(units) > 0))
 
 
 def _paths(skeleton: Skeleton) -> list[NDArray[Any]]:
