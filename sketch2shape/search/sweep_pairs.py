@@ -33,6 +33,7 @@ from sketch2shape.sweeps import (
     enclosed_loops,
     in_one_frame,
     pyramids,
+    retraced,
     settled,
     settled_wire,
     shifts,
@@ -288,9 +289,12 @@ def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
     axis = way.shift if way.centre is None else way.centre - line.mean(axis=0)
     axis = axis / (np.hypot(*axis) + 1e-9)
     pen = scene.skeleton.pen_width
-    holes = [next(cut_ring(evenly(h.line), axis, pen)).outline for h in pair.holes]
+    ring, inner = evenly(line), [evenly(h.line) for h in pair.holes]
+    if pair.is_whole:
+        ring, *inner = [retraced(r, way, scene.skeleton) for r in (ring, *inner)]
+    holes = [next(cut_ring(r, axis, pen)).outline for r in inner]
     hints = tuple(hole.frame.ratio for hole in holes if hole.circle is not None)[:MOST_HINTS]
-    for made in cut_ring(evenly(line), axis, pen, hints):
+    for made in cut_ring(ring, axis, pen, hints):
         yield _larger_first(Sweep(in_one_frame((made.outline, *holes)), way, pair.is_near))
 
 

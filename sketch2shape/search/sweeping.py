@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import chain, islice
 from typing import TypeAlias
 
 import cv2
@@ -48,8 +48,8 @@ SLIGHT = 0.03
 """Part of the ink up to which nothing is left to explain."""
 CLOSE = 40.0
 """Nats by which a sweep not yet improved may be worse than the best one where that explains all."""
-HOPEFUL = 12.0
-"""Nats that may be gained where a simpler object is moved to the ink."""
+HOPEFUL, HOPEFUL_NOTCH = 12.0, 60.0
+"""Nats that may be gained where a simpler object is moved to the ink, and one without a notch, whose ends lie apart."""
 MOST_IMPROVED = 3
 """Sweeps that are moved to the ink, the best of those that were begun."""
 MOST_GAINED = 150.0
@@ -63,6 +63,8 @@ LEAST_BEHIND, BESIDE = 0.08, 0.02
 size within which it is beside that outline."""
 LEAST_NEAR, NEAR_PENS = 3.0, 0.5
 """Pixels, and pens, within which a hole's ink lies on ink when it is moved to the back face."""
+SHORT, MOST_OF_A_NOTCH = 0.06, 3
+"""Length over the drawing's size of edges that may be a notch, and how many there are at most."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -351,21 +353,45 @@ def _inner(loops: Iterable[Floats], sweep: Sweep, within: float) -> Iterator[Flo
 
 def _simpler(found: FoundSweep, scene: Scene) -> FoundSweep:
     """Without vertices that cost more than the ink they explain."""
-    changed = True
-    while changed:
-        changed = False
-        for k, ring in enumerate(found.sweep.rings):
-            for other in _with_one_less(ring):
-                rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
-                way = priced(scene, replace(found.sweep, rings=rings))
-                if way.nats < found.nats + HOPEFUL:
-                    way = _moved(way, scene)
-                if way.nats < found.nats:
-                    found, changed = way, True
-                    break
-            if changed:
-                break
+    while (simpler := next(_cheaper(found, scene), None)) is not None:
+        found = simpler
     return found
+
+
+def _cheaper(found: FoundSweep, scene: Scene) -> Iterator[FoundSweep]:
+    """The same with fewer vertices or arcs, if that is cheaper."""
+    short = SHORT * scene.size
+    for k, ring in enumerate(found.sweep.rings):
+        less = ((other, HOPEFUL) for other in _with_one_less(ring))
+        without = ((other, HOPEFUL_NOTCH) for other in _without_notches(ring, short))
+        for other, hopeful in chain(less, without):
+            rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
+            way = priced(scene, replace(found.sweep, rings=rings))
+            if way.nats < found.nats + hopeful:
+                way = _moved(way, scene)
+            if way.nats < found.nats:
+                yield way
+
+
+def _without_notches(ring: Outline, short: float) -> Iterator[Outline]:
+    """The ring with some edges of at most so many pixels in all drawn together to a vertex, a smooth one or a corner.
+
+    Where lines cross at a small angle, an outline that is followed has notches.
+    """
+    v, n = ring.vertices, len(ring.vertices)
+    own = np.arange(n)
+    for m in range(1, min(MOST_OF_A_NOTCH, n - 3) + 1):
+        last = (own + m) % n
+        run = sum(np.hypot(*(v[(own + k + 1) % n] - v[(own + k) % n]).T) for k in range(m))
+        for i in np.flatnonzero(run <= short):
+            keep = np.ones(n, np.bool_)
+            keep[(i + 1 + np.arange(m)) % n] = False
+            vertices, bulges = v.copy(), ring.bulges.copy()
+            vertices[i], bulges[i] = 0.5 * (v[i] + v[last[i]]), bulges[last[i]]
+            for is_smooth in (True, False):
+                smooth = ring.smooth.copy()
+                smooth[i] = is_smooth
+                yield Outline(ring.frame, vertices[keep], bulges[keep], smooth[keep])
 
 
 def _with_one_less(ring: Outline) -> Iterator[Outline]:

@@ -7,6 +7,7 @@ from sketch2shape.sweeps.loops import LEAST_PATH, Loop, coherent_loops, ellipses
 from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
 from sketch2shape.sweeps.pieces import cut_ring, rounded
 from sketch2shape.sweeps.pyramids import pyramids
+from sketch2shape.sweeps.retracing import retraced
 from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
 from sketch2shape.sweeps.ways import (
     centres,
@@ -39,6 +40,7 @@ __all__ = [
     "in_one_frame",
     "pyramids",
     "redraw",
+    "retraced",
     "rounded",
     "seen_vertices",
     "settled",
