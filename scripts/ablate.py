@@ -37,7 +37,7 @@ from evaluation.measure import in_processes, measure
 from evaluation.options import add_drawings, add_sets, add_work, wanted
 from evaluation.outcome import Outcome
 from sketch2shape.fit import refinement
-from sketch2shape.search import sweeping, tolerances
+from sketch2shape.search import tolerances
 from sketch2shape.sweeps import Way
 
 UNCHANGED = 0.2
@@ -80,9 +80,8 @@ def _only_measured(rings: Any, *how: Any) -> Any:
     return rings, refinement.refine(rings, *how)[1]
 
 
-def _priced_as_it_is(scene: Any, sweep: Any) -> Any:
-    compared = sweeping.compare_sweep(sweep, scene.view, scene.margin, scene.solid)
-    return sweeping.FoundSweep(sweep, compared, compared.energy(sweeping._hand(compared)))
+def _as_it_is(sweep: Any) -> Any:
+    return [sweep]
 
 
 def _in(module: str, **off: Any) -> dict[str, Any]:
@@ -152,7 +151,7 @@ MECHANISMS = (
     Mechanism("simplification: settled ways", _in("fit.simplification", MOST_SETTLED=0)),
     Mechanism("simplification: unseen bends", _in("fit.simplification", UNSEEN_BEND=0.0)),
     Mechanism("simplification: marks at corners", _in("fit.simplification", MARK=0.0)),
-    Mechanism("polishing of sweeps", _in("search.sweeping", polished=_first)),
+    Mechanism("polishing of sweeps", _in("search.found_sweep", polished=_first)),
     Mechanism("polishing: ratio of circles held", _in("fit.polishing", FIXED_RATIO=0.0)),
     # the judge
     Mechanism("the weakest edge holds a score", _in("evidence.score", _held_by=np.ones_like)),
@@ -161,6 +160,7 @@ MECHANISMS = (
     Mechanism("edges explain no more than their length", _in("evidence.energy", CROWDED=HUGE)),
     Mechanism("no more noise than the hand's", _in("evidence.energy", STEADY=HUGE)),
     Mechanism("long foreign strokes are cheaper", _in("evidence.view", STROKE_UNIT=HUGE)),
+    Mechanism("strokes across others are told once", _in("evidence.view", MOST_LINKED=0)),
     Mechanism("specks are cheap", _in("evidence.view", SPECK=1.0, DASH=1.0)),
     # sources of straight objects
     Mechanism("back faces pulled to drawn rungs", _in("hypotheses.opaque", _pulled=_as_swept)),
@@ -186,17 +186,20 @@ MECHANISMS = (
     Mechanism("holes tell the shape of arcs", _in("search.sweep_pairs", MOST_HINTS=0)),
     Mechanism(
         "circles of a face in one frame",
-        _in("search.sweep_pairs", in_one_frame=tuple) | _in("search.sweeping", in_one_frame=tuple),
+        _in("search.sweep_pairs", in_one_frame=tuple) | _in("search.sweep_improvement", in_one_frame=tuple),
     ),
-    Mechanism("a sweep's hand by the median", _in("search.sweeping", _hand=_always(np.inf))),
-    Mechanism("lines at smooth joints", _in("search.sweeping", _priced=_priced_as_it_is)),
+    Mechanism("a sweep's hand by the median", _in("search.found_sweep", _hand=_always(np.inf))),
+    Mechanism("lines at smooth joints", _in("search.found_sweep", _manners=_as_it_is)),
     Mechanism("depth has to be seen", _in("search.sweeping", _shows_depth=_always(True))),
     Mechanism("hidden lines told as dashed", _in("search.sweeping", _dashed=_first)),
-    Mechanism("shifts that grow in perspective", _in("search.sweeping", _in_perspective=_first)),
-    Mechanism("holes of sweeps", _in("search.sweeping", _with_holes=_first)),
-    Mechanism("closed lines in faces are likely holes", _in("search.sweeping", LIKELY_HOLE=0.0)),
-    Mechanism("needless vertices of sweeps dropped", _in("search.sweeping", _simpler=_first)),
-    Mechanism("points stand plumb", _in("search.sweeping", _leaning=_always(0.0))),
+    Mechanism("shifts that grow in perspective", _in("search.sweep_improvement", _in_perspective=_first)),
+    Mechanism("holes of sweeps", _in("search.sweep_improvement", with_holes=_first)),
+    Mechanism("closed lines in faces are likely holes", _in("evidence.energy", LIKELY_HOLE=0.0)),
+    Mechanism("needless vertices of sweeps dropped", _in("search.sweep_improvement", _simpler=_first)),
+    Mechanism("notches of outlines dropped", _in("search.sweep_improvement", _without_notches=_NONE)),
+    Mechanism("outlines put on the ink of both faces", _in("search.sweep_pairs", retraced=_first)),
+    Mechanism("straight objects with round holes", _in("search.objects", find_drilled=_always(None))),
+    Mechanism("points stand plumb", _in("search.found_sweep", _leaning=_always(0.0))),
     Mechanism("sides of a base cost", _in("search.sweeping", SIDE=0.0)),
     # sources of objects with arcs and points
     Mechanism("sweeps seen from the other side", _in("sweeps.sweep.Sweep", reversed=_first)),

@@ -37,7 +37,7 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
     """(w,) float, see `SWEEP_WITNESSES`.
 
     gap     : nats to the best sweep that is another object
-    leaning : nats for how it stands, see `search.sweeping`
+    leaning : nats for how it stands, see `search.found_sweep`
     """
     view = compared.view
     left, distance, edge = _left(energy, compared)

@@ -13,9 +13,10 @@ import numpy as np
 from sketch2shape.evidence import nearest_edges
 from sketch2shape.hypotheses import Rings, frame, split
 from sketch2shape.model import Floats
+from sketch2shape.search.found_sweep import FoundSweep, priced
 from sketch2shape.search.search import Found, Observed
+from sketch2shape.search.sweep_improvement import finished, with_holes
 from sketch2shape.search.sweep_pairs import Scene
-from sketch2shape.search.sweeping import FoundSweep, finished, priced, with_holes
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import Frame, Outline, Sweep, Way, coherent_loops
 

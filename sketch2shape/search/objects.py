@@ -14,8 +14,9 @@ from sketch2shape.ink import Group, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.exact import Verified, find_exact
+from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.search.search import Found, find, observed
-from sketch2shape.search.sweeping import SLIGHT, FoundSweep, find_sweep
+from sketch2shape.search.sweeping import SLIGHT, find_sweep
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_PATH
 

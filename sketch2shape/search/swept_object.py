@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from sketch2shape.model import Bools, DrawnArc, Ellipse, FacePair, Floats, Ink, Lines, TwoFaceObject
-from sketch2shape.search.sweeping import FoundSweep
+from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.sweeps import Outline, Sweep, redraw, seen_vertices
 from sketch2shape.sweeps.outlines import STEPS
 

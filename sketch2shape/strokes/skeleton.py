@@ -16,6 +16,8 @@ from sketch2shape.strokes.known_lines import known_paths
 
 FAR_AWAY = 1e4
 """Pixels to the ink of what lies outside the picture."""
+MOST_AT_ONCE = 32000
+"""Points that OpenCV looks up at once."""
 FAR = 6.0
 """Pixels from the skeleton up to which a dilation is faster than a distance transform."""
 
@@ -112,8 +114,11 @@ def _ordered_paths(branches: NDArray[np.uint8]) -> list[NDArray[np.int32]]:
 def interpolated(distance: NDArray[np.float32], points: Floats) -> Floats:
     """Values of a map of distances at points (..., 2) between its pixels; very much outside it."""
     at = points.reshape(-1, 1, 2).astype(np.float32)
-    off = cv2.remap(distance, at, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=FAR_AWAY)  # type: ignore[call-overload]
-    return np.asarray(off, float).reshape(points.shape[:-1])
+    parts = [
+        cv2.remap(distance, some, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=FAR_AWAY)  # type: ignore[call-overload]
+        for some in np.array_split(at, 1 + len(at) // MOST_AT_ONCE)
+    ]
+    return np.asarray(np.concatenate(parts), float).reshape(points.shape[:-1])
 
 
 def are_covered(near: NDArray[np.uint8], a: Floats, b: Floats, least: float) -> Bools:

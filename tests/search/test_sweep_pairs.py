@@ -30,8 +30,9 @@ from sketch2shape.sweeps import Loop, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
 
 SIZE = 400.0
-PLAIN = SimpleNamespace(size=SIZE, cells=None, skeleton=SimpleNamespace(pen_width=2.0))
-"""A scene of which nothing is asked but the drawing's size and the pen's."""
+FAR_OFF = np.full((400, 480), 100.0, np.float32)
+PLAIN = SimpleNamespace(size=SIZE, cells=None, skeleton=SimpleNamespace(pen_width=2.0, distance=FAR_OFF))
+"""A scene without ink, of which nothing is asked but the drawing's size and the pen's."""
 RIM = ellipse(y=280.0).line
 """180 pixels wide and 72 high about (240, 280)."""
 

@@ -1,0 +1,174 @@
+"""Improving a sweep: moved to the ink, given its holes, in perspective, and rid of needless vertices."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import chain
+
+import cv2
+import numpy as np
+
+from sketch2shape.geometry import cross
+from sketch2shape.model import Floats
+from sketch2shape.search.found_sweep import FoundSweep, moved, priced
+from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Scene, are_close, evenly
+from sketch2shape.sweeps import (
+    Outline,
+    Sweep,
+    coherent_loops,
+    cut_ring,
+    in_one_frame,
+    rounded,
+)
+
+HOPEFUL, HOPEFUL_NOTCH = 12.0, 60.0
+"""Nats that may be gained where a simpler object is moved to the ink, and one without a notch, whose ends lie apart."""
+LEAST_NEAR, NEAR_PENS = 3.0, 0.5
+"""Pixels, and pens, within which a hole's ink lies on ink when it is moved to the back face."""
+SHORT, MOST_OF_A_NOTCH = 0.06, 3
+"""Length over the drawing's size of edges that may be a notch, and how many there are at most."""
+FLAT = 0.12
+"""Bulge of an arc up to which it may be a bent line."""
+BEND = 0.5
+"""Angle, radians, up to which a vertex may be none."""
+
+
+def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
+    """The best cut moved to the ink, with its holes and without needless vertices."""
+    found = min((moved(f, scene) for f in (found, *(priced(scene, s) for s in others))), key=lambda f: f.nats)
+    return finished(with_holes(found, scene, _closed_lines(found.sweep, scene)), scene)
+
+
+def finished(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """In perspective, without needless vertices, and seen from the other side, if that is cheaper."""
+    found = _in_perspective(found, scene)
+    found = _simpler(found, scene)
+    if found.sweep.way.centre is None:
+        other = priced(scene, found.sweep.reversed())
+        found = min(found, other, key=lambda f: f.nats)
+    return found
+
+
+def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """With a shift that grows over the face, if that explains more than it costs."""
+    way = found.sweep.way
+    if way.centre is not None:
+        return found
+    sloped = replace(way, slope=np.zeros(2), origin=found.sweep.rings[0].middle)
+    begun = replace(found, sweep=replace(found.sweep, way=sloped))
+    way_there = moved(begun, scene)
+    return found if way_there is begun else way_there
+
+
+def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within: float = WITHIN) -> FoundSweep:
+    """With those closed lines inside the outer ring, by so many pixels, as holes that make it cheaper to tell."""
+    if found.sweep.way.is_pointed:
+        return found
+    for loop in _inner(loops, found.sweep, within):
+        rings = found.sweep.rings
+        if any(are_close(loop, ring.line, ALIKE * scene.size) for ring in rings):
+            continue
+        for hole in _cut_holes(loop, found.sweep, scene.skeleton.pen_width):
+            holed = priced(scene, replace(found.sweep, rings=in_one_frame((*rings, hole))))
+            if holed.nats < found.nats + HOPEFUL:
+                found = min(found, moved(holed, scene), key=lambda f: f.nats)
+    return found
+
+
+def _cut_holes(loop: Floats, sweep: Sweep, pen: float) -> Iterator[Outline]:
+    """What hole a closed line may be: cut into lines and arcs, and a circle of the frame that other arcs tell."""
+    frame = sweep.frame
+    if not sweep.has_arcs:
+        axis = sweep.way.shift if sweep.way.centre is None else sweep.way.of(loop).mean(axis=0)
+        yield next(cut_ring(evenly(loop), axis / (np.hypot(*axis) + 1e-9), pen)).outline
+        return
+    told = next(cut_ring(evenly(loop), frame.along, pen, (frame.ratio,))).outline
+    yield told
+    if told.circle is None:
+        yield rounded(evenly(loop), frame)
+
+
+def _closed_lines(sweep: Sweep, scene: Scene) -> list[Floats]:
+    """Closed lines of the drawing, the largest first."""
+    loops = [loop.line for loop in scene.loops]
+    if sweep.way.centre is None:
+        reach = max(LEAST_NEAR, NEAR_PENS * scene.skeleton.pen_width)
+        loops = [*coherent_loops(scene.skeleton, sweep.way.shift, reach, scene.size)[1:], *loops]
+    return loops
+
+
+def _inner(loops: Iterable[Floats], sweep: Sweep, within: float) -> Iterator[Floats]:
+    """Those inside the outer ring of the front face."""
+    outer = sweep.rings[0].line.astype(np.float32)
+    for loop in loops:
+        some = loop[:: max(1, len(loop) // 24)]
+        if min(cv2.pointPolygonTest(outer, (float(x), float(y)), True) for x, y in some) > within:
+            yield loop
+
+
+def _simpler(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """Without vertices that cost more than the ink they explain."""
+    while (simpler := next(_cheaper(found, scene), None)) is not None:
+        found = simpler
+    return found
+
+
+def _cheaper(found: FoundSweep, scene: Scene) -> Iterator[FoundSweep]:
+    """The same with fewer vertices or arcs, if that is cheaper."""
+    short = SHORT * scene.size
+    for k, ring in enumerate(found.sweep.rings):
+        less = ((other, HOPEFUL) for other in _with_one_less(ring))
+        without = ((other, HOPEFUL_NOTCH) for other in _without_notches(ring, short))
+        for other, hopeful in chain(less, without):
+            rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
+            way = priced(scene, replace(found.sweep, rings=rings))
+            if way.nats < found.nats + hopeful:
+                way = moved(way, scene)
+            if way.nats < found.nats:
+                yield way
+
+
+def _without_notches(ring: Outline, short: float) -> Iterator[Outline]:
+    """The ring with some edges of at most so many pixels in all drawn together to a vertex, a smooth one or a corner.
+
+    Where lines cross at a small angle, an outline that is followed has notches.
+    """
+    v, n = ring.vertices, len(ring.vertices)
+    own = np.arange(n)
+    for m in range(1, min(MOST_OF_A_NOTCH, n - 3) + 1):
+        last = (own + m) % n
+        run = sum(np.hypot(*(v[(own + k + 1) % n] - v[(own + k) % n]).T) for k in range(m))
+        for i in np.flatnonzero(run <= short):
+            keep = np.ones(n, np.bool_)
+            keep[(i + 1 + np.arange(m)) % n] = False
+            vertices, bulges = v.copy(), ring.bulges.copy()
+            vertices[i], bulges[i] = 0.5 * (v[i] + v[last[i]]), bulges[last[i]]
+            for is_smooth in (True, False):
+                smooth = ring.smooth.copy()
+                smooth[i] = is_smooth
+                yield Outline(ring.frame, vertices[keep], bulges[keep], smooth[keep])
+
+
+def _with_one_less(ring: Outline) -> Iterator[Outline]:
+    """The ring without one of the vertices at which it hardly turns, or with a flat arc made straight."""
+    n = len(ring.vertices)
+    if n < 3:
+        return
+    flat = ring.frame.flat(ring.vertices)
+    for i in np.argsort(ring.turns):
+        if ring.turns[i] > BEND or (n == 3 and not ring.curved.any()):
+            break
+        a, v, c = flat[i - 1], flat[i], flat[(i + 1) % n]
+        u, w = a - v, c - v
+        inner = float(np.arctan2(abs(cross(u, w)), u @ w))
+        bulge = -float(np.sign(cross(c - a, v - a))) * float(np.tan(0.5 * (np.pi - inner)))
+        bends = ring.curved[i - 1] or ring.curved[i]
+        bulges = ring.bulges.copy()
+        bulges[i - 1] = -bulge if bends else 0.0
+        keep = np.arange(n) != i
+        yield Outline(ring.frame, ring.vertices[keep], bulges[keep], ring.smooth[keep])
+    for i in np.flatnonzero(ring.curved & (np.abs(ring.bulges) < FLAT)):
+        bulges = ring.bulges.copy()
+        bulges[i] = 0.0
+        yield replace(ring, bulges=bulges)
