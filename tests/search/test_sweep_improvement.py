@@ -1,0 +1,48 @@
+"""Sweeps without what costs more than it explains."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from round_sketches import ARCH, arch, drawn
+from sketches import ink_of
+
+from sketch2shape.ink import split_groups
+from sketch2shape.search.found_sweep import priced
+from sketch2shape.search.search import observed
+from sketch2shape.search.sweep_improvement import _without_notches, finished
+from sketch2shape.search.sweep_pairs import Scene
+from sketch2shape.sweeps import Outline
+
+
+def notched():
+    """The arch with three vertices of a notch for one of its lower corners."""
+    plain = arch()
+    v = plain.vertices
+    notch = v[2] + np.array([[0.0, -10.0], [-7.0, -5.0], [-9.0, 0.0]])
+    vertices = np.concatenate([v[:2], notch, v[3:]])
+    bulges = np.array([plain.bulges[0], 0.0, 0.0, 0.0, 0.0, 0.0])
+    return Outline(plain.frame, vertices, bulges, np.array([True, True, False, False, False, False]))
+
+
+def test_a_notch_is_drawn_together_to_a_smooth_vertex_or_a_corner():
+    found = [o for o in _without_notches(notched(), 30.0) if len(o.vertices) == 4]
+    assert {bool(o.smooth[2]) for o in found} == {True, False}
+    for outline in found:
+        assert np.abs(outline.vertices - arch().vertices).max() < 8.0
+        assert outline.bulges == pytest.approx(arch().bulges)
+
+
+def test_long_edges_are_no_notch_and_three_vertices_stay():
+    assert list(_without_notches(arch(), 30.0)) == []
+    triangle = replace(arch(), vertices=arch().vertices[:3], bulges=np.zeros(3), smooth=np.zeros(3, bool))
+    assert list(_without_notches(triangle, 1000.0)) == []
+
+
+def test_the_drawing_shows_that_the_notch_is_none():
+    (group,) = split_groups(ink_of(drawn(ARCH)))
+    seen = observed(group)
+    scene = Scene(seen.drawn, seen.skeleton, seen.view)
+    found = finished(priced(scene, replace(ARCH, rings=(notched(),)).shifted(-group.offset)), scene)
+    assert len(found.sweep.rings[0].vertices) == 4
+    assert found.sweep.rings[0].curved.sum() == 1
