@@ -1,32 +1,17 @@
 """The script that switches mechanisms off: each is where the table says, and the table counts what each earns."""
 
 import pkgutil
-import sys
 from dataclasses import replace
-from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path
 
 import pytest
+from loaded import loaded
 
 from evaluation.cases import Case, case_of
 from evaluation.outcome import Outcome
 from sketch2shape.search import sweeping
 from synthetic.drawing import draw
 
-
-def _loaded():
-    scripts = Path(__file__).parent.parent / "scripts"
-    sys.path.insert(0, str(scripts))
-    try:
-        spec = spec_from_file_location("ablate", scripts / "ablate.py")
-        module = sys.modules["ablate"] = module_from_spec(spec)
-        spec.loader.exec_module(module)
-    finally:
-        sys.path.remove(str(scripts))
-    return module
-
-
-ablate = _loaded()
+ablate = loaded("ablate")
 
 
 @pytest.mark.parametrize("dotted", sorted({d for m in ablate.MECHANISMS for d in m.off}))

@@ -1,26 +1,17 @@
 """The script that changes code to see whether tests notice: what it changes, what it samples, what it tells."""
 
-import sys
 from collections import Counter
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import pytest
+from loaded import loaded
 
 ROOT = Path(__file__).parent.parent
 
 
 @pytest.fixture(scope="module")
 def mutate():
-    scripts = ROOT / "scripts"
-    sys.path.insert(0, str(scripts))
-    try:
-        spec = spec_from_file_location("mutate", scripts / "mutate.py")
-        module = sys.modules["mutate"] = module_from_spec(spec)
-        spec.loader.exec_module(module)
-    finally:
-        sys.path.remove(str(scripts))
-    return module
+    return loaded("mutate")
 
 
 def some(mutate, places=40, each=3):

@@ -1,27 +1,14 @@
 """The list of the numbers that the heart was tuned with: from the code as it stands, and each with its meaning."""
 
-import sys
-from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path
-
 import pytest
+from loaded import loaded
 
 from evaluation.markdown import part_replaced
-
-ROOT = Path(__file__).parent.parent
 
 
 @pytest.fixture(scope="module")
 def numbers():
-    scripts = ROOT / "scripts"
-    sys.path.insert(0, str(scripts))
-    try:
-        spec = spec_from_file_location("list_numbers", scripts / "list_numbers.py")
-        module = sys.modules["list_numbers"] = module_from_spec(spec)
-        spec.loader.exec_module(module)
-    finally:
-        sys.path.remove(str(scripts))
-    return module
+    return loaded("list_numbers")
 
 
 def test_the_page_lists_the_numbers_of_the_code(numbers):

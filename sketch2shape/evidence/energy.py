@@ -159,7 +159,7 @@ class Comparison:
         residual = float((view.length[near] * spread).sum()) / max(view.pen, CORRELATED * view.size)
         crowd = np.bincount(edge[near], view.length[near], len(self.lengths)) - CROWDED * self.lengths
         residual += foreign_price(float(np.maximum(crowd, 0.0).sum()) / view.unit)
-        left = np.bincount(view.path[~near], view.length[~near], len(view.ends)) / view.unit
+        left = np.bincount(view.path[~near], view.length[~near], len(view.units)) / view.unit
         return residual, view.foreign(left)
 
     def _shape(self, noise: float, digit: float) -> float:

@@ -30,8 +30,10 @@ STROKE, STROKE_UNIT = 16.0, 0.25
 """... and for a whole foreign stroke (four coordinates) and each unit of it, where that is less."""
 ALONG = 0.96
 """Cosine of the angle up to which a path goes on as another."""
-AHEAD, MEETING = 4.0, 1.5
-"""Pens from its end over which a path has a direction, and between the ends of paths that meet."""
+AHEAD = 4.0
+"""Pens from its end over which a path has a direction."""
+MEETING, BLUR = 1.5, 1.5
+"""Pens, and pixels more, between the ends of paths that meet."""
 MOSTLY = 0.5
 """Part of a path that is foreign from which on all of it is a foreign stroke."""
 MOST_LINKED = 300
@@ -76,17 +78,12 @@ class View:
     @cached_property
     def units(self) -> Floats:
         """(p,) units of ink of each path."""
-        return np.asarray(np.bincount(self.path, self.length, len(self.ends)) / self.unit)
-
-    @cached_property
-    def ends(self) -> Floats:
-        """(p, 2, 2) float, pixels, both ends of each path."""
-        return np.array([(p[0], p[-1]) for p in _paths(self.skeleton)], float).reshape(-1, 2, 2)
+        return np.asarray(np.bincount(self.path, self.length, len(_paths(self.skeleton))) / self.unit)
 
     @cached_property
     def follows(self) -> Ints:
         """(p, 2) int, the path as which each goes on straight at each end, or -1."""
-        return _following(_paths(self.skeleton), self.ends, self.pen)
+        return _following(_paths(self.skeleton), self.pen)
 
     @cached_property
     def all_foreign(self) -> float:
@@ -107,21 +104,22 @@ def foreign_price(units: Any, stroke: Any = STROKE) -> Any:
 
 
 def _paths(skeleton: Skeleton) -> list[NDArray[Any]]:
-    return [p for p in skeleton.paths if len(p)] or [np.zeros((1, 2), np.int32)]
+    return [p for p in skeleton.paths if len(p)]
 
 
-def _following(paths: list[NDArray[Any]], ends: Floats, pen: float) -> Ints:
+def _following(paths: list[NDArray[Any]], pen: float) -> Ints:
     """See `View.follows`."""
     none = np.full((len(paths), 2), -1)
-    if len(paths) > MOST_LINKED:
+    if not 0 < len(paths) <= MOST_LINKED:
         return none
     near = round(AHEAD * pen) + 1
+    ends = np.array([(p[0], p[-1]) for p in paths], float)
     inner = np.array([(p[min(near, len(p) - 1)], p[max(len(p) - 1 - near, 0)]) for p in paths], float)
     out = (ends - inner).reshape(-1, 2)
     out /= np.hypot(*out.T)[:, None] + 1e-9
     at = ends.reshape(-1, 2)
     apart = np.abs(at[:, None] - at).max(axis=2)
-    turned = np.where(apart <= MEETING * pen + 1.5, out @ out.T, 1.0)
+    turned = np.where(apart <= MEETING * pen + BLUR, out @ out.T, 1.0)
     own = np.arange(len(at))
     turned[own, own] = turned[own, own ^ 1] = 1.0
     best = turned.argmin(axis=1)
@@ -131,7 +129,7 @@ def _following(paths: list[NDArray[Any]], ends: Floats, pen: float) -> Ints:
 
 def observe(group: Group, skeleton: Skeleton) -> View:
     """The view of a group of ink."""
-    paths = _paths(skeleton) if len(skeleton.points) else [np.zeros((0, 2), np.int32)]
+    paths = _paths(skeleton) or [np.zeros((0, 2), np.int32)]
     pixels, owner = np.concatenate(paths), np.repeat(np.arange(len(paths)), [len(p) for p in paths])
     step = max(1, -(-len(pixels) // (MOST_KNOWN if skeleton.is_known else MOST_POINTS)))
     points, owner = pixels[::step], owner[::step]

@@ -11,7 +11,7 @@ import numpy as np
 from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges
 from sketch2shape.evidence.overlaps import HALF, ONE_WAY, PLACES, beside
 from sketch2shape.evidence.score import Evidence
-from sketch2shape.evidence.view import View
+from sketch2shape.evidence.view import MOSTLY, View
 from sketch2shape.hypotheses import Rings, frame
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes import join_ends, trace_skeleton
@@ -35,8 +35,6 @@ WITNESSES = (
 """Names of the witnesses, in order."""
 TOUCHING = 0.03
 """Fraction of the drawing's size up to which a path touches the object."""
-MOSTLY = 0.5
-"""Fraction of a line that is unexplained from which on all of it is foreign."""
 LEAST_LINE = 0.04
 """Length of a line, as a fraction of the drawing's size, below which it is a letter's or an arrow's."""
 LEAST_TOLERANCE, TOLERANCE = 1.5, 0.006

@@ -24,8 +24,8 @@ TOUCH_PENS, TOUCH, APART = 3.0, 0.012, 3.0
 """Pens, and fraction of the ink's size, up to which pieces are one group; how many times as far they may be where
 strokes stop short of each other."""
 ENCLOSED, WHOLE = 10.0, 0.5
-"""Square pens of the hole of a piece that encloses something, and part of the ink in such pieces below which strokes
-do not meet: a drawing whose lines meet is mostly one piece."""
+"""Square pens of the hole of a piece that encloses something, and extent of all such pieces over that of the largest
+piece of any kind, below which strokes do not meet: a drawing whose lines meet is mostly one piece."""
 CLUTTER = 0.07
 """Connected pieces smaller than this part of their group cannot be told from letters or dashes."""
 
@@ -68,7 +68,7 @@ def split_groups(ink: Ink, most: int = 12) -> list[Group]:
 
 
 def _meet(pieces: Pieces, pen: float) -> bool:
-    """Whether most lines belong to pieces that enclose something."""
+    """Whether there are pieces that enclose something and are not small."""
     encloses = pieces.holes > ENCLOSED * pen * pen
     return float(pieces.extent[encloses].sum()) >= WHOLE * float(pieces.extent.max())
 

@@ -18,7 +18,7 @@ _LEAST_NOISE = 0.3
 _UNSEEN = 1.5
 
 #: the vertices of a four-sided object, numbered f1 then f2, by its other two pairs of opposite sides
-_OTHER_PAIRS = (
+OTHER_PAIRS = (
     np.array([0, 1, 5, 4, 3, 2, 6, 7]),
     np.array([1, 2, 6, 5, 0, 3, 7, 4]),
 )
@@ -78,7 +78,7 @@ class Drawing:
             return found
         points = np.concatenate([self.first, self.second])
         seen = np.concatenate([np.ones(4, bool), self.known])
-        for order in _OTHER_PAIRS:
+        for order in OTHER_PAIRS:
             first, second = points[order[:4]], points[order[4:]]
             if _is_bow(first) or _is_bow(second):
                 return found[:1]

@@ -12,6 +12,7 @@ import numpy as np
 
 from sketch2shape.evidence import nearest_edges
 from sketch2shape.hypotheses import Rings, frame, split
+from sketch2shape.lifting import OTHER_PAIRS
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep, priced
 from sketch2shape.search.search import Found, Observed
@@ -20,12 +21,11 @@ from sketch2shape.search.sweep_pairs import Scene
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import Frame, Outline, Sweep, Way, coherent_loops
 
-OTHER_SIDES = ((0, 1, 5, 4, 3, 2, 6, 7), (1, 2, 6, 5, 0, 3, 7, 4))
-"""Vertices of a box, front face first, by its other pairs of opposite sides."""
 SPREAD = 0.05
 """Fraction of a face's size by which its vertices are moved unlike each other at most: more is perspective."""
-STRAYS = 4.0
-"""Standard deviations of the hand, and half pens, within which ink belongs to the straight edges."""
+STRAYS, OWN_PENS, BLUR = 4.0, 0.5, 1.0
+"""Standard deviations of the hand, or pens if that is more, and pixels more, within which ink belongs to the straight
+edges."""
 INSIDE = -1.5
 """Pixels by which a hole lies inside its face at least: one may come close to the face's edge."""
 LEAST_NEAR, NEAR_PENS = 2.0, 0.5
@@ -51,31 +51,33 @@ def _sides(rings: Rings) -> Iterator[Sweep]:
     """The object as a front face moved to the back, either face in front, of a box in each of three ways."""
     ways = [rings]
     if rings.sizes == (4,):
-        ways += [split(rings.vertices[list(order)], (4,)) for order in OTHER_SIDES]
+        ways += [split(rings.vertices[order], (4,)) for order in OTHER_PAIRS]
     for way in ways:
-        for sweep in _moved(way):
+        sweep = _as_sweep(way)
+        if sweep is not None:
             yield from (sweep, sweep.reversed())
 
 
-def _moved(rings: Rings) -> Iterator[Sweep]:
+def _as_sweep(rings: Rings) -> Sweep | None:
+    """The mean of both faces, moved from one to the other; None in perspective and where the object tapers."""
     front, back = np.concatenate(rings.front), np.concatenate(rings.back)
     shift = (back - front).mean(axis=0)
     size = float(np.hypot(*np.ptp(front, axis=0)))
     if np.abs(back - front - shift).max() > SPREAD * size:
-        return
+        return None
     along = shift / (np.hypot(*shift) + 1e-9)
     middle = [0.5 * (f + b - shift) for f, b in zip(rings.front, rings.back, strict=True)]
     outlines = tuple(
         Outline(Frame(along, 1.0), ring, np.zeros(len(ring)), np.zeros(len(ring), np.bool_)) for ring in middle
     )
-    yield Sweep(outlines, Way(shift))
+    return Sweep(outlines, Way(shift))
 
 
 def _left(skeleton: Skeleton, straight: Found) -> Skeleton | None:
     """The skeleton without the ink of the straight edges; None if nothing is left."""
     v, edges = straight.rings.vertices, frame(straight.rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
-    reach = max(STRAYS * straight.noise, 0.5 * skeleton.pen_width) + 1.0
+    reach = max(STRAYS * straight.noise, OWN_PENS * skeleton.pen_width) + BLUR
     distance, _ = nearest_edges(skeleton.points, a, span)
     points = skeleton.points[distance > reach]
     if not len(points):

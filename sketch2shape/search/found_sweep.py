@@ -116,7 +116,7 @@ def _leaning(sweep: Sweep) -> float:
 
 def moved(found: FoundSweep, scene: Scene) -> FoundSweep:
     """Moved to the ink, if it is cheaper there."""
-    moved = polished(found.sweep, scene.tree, scene.reach)
-    if moved.has_arcs and is_flat(moved.way, moved.rings[0].line, scene):
+    there = polished(found.sweep, scene.tree, scene.reach)
+    if there.has_arcs and is_flat(there.way, there.rings[0].line, scene):
         return found
-    return min(found, priced(scene, moved), key=lambda f: f.nats)
+    return min(found, priced(scene, there), key=lambda f: f.nats)

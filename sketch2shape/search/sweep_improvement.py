@@ -13,14 +13,7 @@ from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep, moved, priced
 from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Scene, are_close, evenly
-from sketch2shape.sweeps import (
-    Outline,
-    Sweep,
-    coherent_loops,
-    cut_ring,
-    in_one_frame,
-    rounded,
-)
+from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one_frame, rounded
 
 HOPEFUL, HOPEFUL_NOTCH = 12.0, 60.0
 """Nats that may be gained where a simpler object is moved to the ink, and one without a notch, whose ends lie apart."""
@@ -57,8 +50,8 @@ def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
         return found
     sloped = replace(way, slope=np.zeros(2), origin=found.sweep.rings[0].middle)
     begun = replace(found, sweep=replace(found.sweep, way=sloped))
-    way_there = moved(begun, scene)
-    return found if way_there is begun else way_there
+    grown = moved(begun, scene)
+    return found if grown is begun else grown
 
 
 def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within: float = WITHIN) -> FoundSweep:

@@ -17,10 +17,7 @@ from sketch2shape.search.found_sweep import FoundSweep, priced
 from sketch2shape.search.search import Observed
 from sketch2shape.search.sweep_improvement import improved
 from sketch2shape.search.sweep_pairs import ALIKE, Pair, Scene, are_close, cut, pairs_of
-from sketch2shape.sweeps import (
-    Sweep,
-    redraw,
-)
+from sketch2shape.sweeps import Sweep, redraw
 
 SIDE = 0.02
 """Part of the ink that one more side of a base has to explain: about what its corner costs in nats."""
