@@ -1,4 +1,9 @@
-"""How many solids come right that are drawn on the page by a hand that misses: `python scripts/draw_by_hand.py [EACH]`.
+"""How many solids come right that are drawn on the page by a hand that misses.
+
+    python scripts/draw_by_hand.py [EACH] [--screen mouse] [--solid box] [--failures FOLDER]
+
+A row is printed as soon as its drawings are done, the table at the end; EACH drawings (10) of each solid take about
+a minute for two. Drawing K of a solid is the same in every run, so a part may be run alone.
 
 Solids are drawn in Chromium, with the mouse on a laptop's screen and with a finger on a phone's, every stroke's ends
 missed by a normal error (4 and 3 CSS pixels for each coordinate) and its way wavering by a third of that. Right is an
@@ -11,6 +16,7 @@ ten sides, which has 30 strokes.
 
 from __future__ import annotations
 
+import argparse
 import json
 import math
 import sys
@@ -24,6 +30,7 @@ REPOSITORY = Path(__file__).parents[1]
 sys.path.insert(0, str(REPOSITORY / "tests" / "ui"))
 
 from chromium import start_browser  # noqa: E402
+from selenium.common.exceptions import TimeoutException  # noqa: E402
 from selenium.webdriver import Chrome  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from server import start_app  # noqa: E402
@@ -42,6 +49,8 @@ MOST_MEASURED = 240
 """Sketches, evenly chosen, whose computing is measured."""
 STEPS = 14
 """Places along a stroke that the pointer is told."""
+LONGEST = 20.0
+"""Seconds that the page may take for anything; what takes longer has failed."""
 
 
 class Screen(NamedTuple):
@@ -69,6 +78,8 @@ SOLIDS: dict[str, tuple[list[tuple[float, float]], tuple[float, float]]] = {
 }
 CYLINDER = (0.45, 0.75, 0.3, 0.11, 0.5)
 """Centre, half axes and height of the standing cylinder, in the same units."""
+SEEDS = {name: k for k, name in enumerate([*SOLIDS, "cylinder"])}
+"""What the drawings of each solid are drawn at random with."""
 
 
 def strokes_of(name: str, side: float) -> tuple[list[list[tuple[float, float]]], list[tuple[float, float]]]:
@@ -127,24 +138,24 @@ def show_screen(page: Chrome, screen: Screen) -> None:
     page.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": screen.touch, "maxTouchPoints": 2})
 
 
-def settled(page: Chrome, seconds: float = 60.0) -> None:
+def until(page: Chrome, done: str, pause: float, seconds: float = LONGEST) -> None:
+    """Wait until the page says that it is done, after a pause. Raises TimeoutException."""
+    end = time.monotonic() + seconds
+    time.sleep(pause)
+    while not page.execute_script(f"return {done}"):
+        if time.monotonic() > end:
+            raise TimeoutException(f"the page did not come to {done}")
+        time.sleep(0.02)
+
+
+def settled(page: Chrome) -> None:
     """Wait until the solid of the last stroke is there."""
-    end = time.monotonic() + seconds
-    time.sleep(0.15)
-    while page.execute_script("return window.timings.busy()"):
-        if time.monotonic() > end:
-            raise TimeoutError("no solid came")
-        time.sleep(0.05)
+    until(page, "!timings.busy()", 0.15)
 
 
-def looked_at(page: Chrome, seconds: float = 60.0) -> None:
+def looked_at(page: Chrome) -> None:
     """Let the hand go to where the next stroke begins, until a solid of these strokes is there, or none is."""
-    end = time.monotonic() + seconds
-    time.sleep(BETWEEN)
-    while page.execute_script("return timings.live().searching()"):
-        if time.monotonic() > end:
-            raise TimeoutError("no solid came")
-        time.sleep(0.05)
+    until(page, "!timings.live().searching()", BETWEEN)
 
 
 def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
@@ -165,6 +176,13 @@ def is_right(name: str, state: dict[str, Any], truth: np.ndarray) -> bool:
     return bool((gaps.min(axis=0) < reach).all() and len(set(gaps.argmin(axis=1).tolist())) == len(truth))
 
 
+def open_pad(page: Chrome, address: str) -> None:
+    """A fresh page, its sheet open."""
+    page.get(address)
+    page.execute_async_script("const d = arguments[0], t = () => window.timings ? d() : setTimeout(t, 50); t()")
+    page.find_element(By.ID, "start-draw").click()
+
+
 def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator, sketches: list[Any]) -> bool:
     """Draw a solid and say whether it came right; the strokes after each stroke are added to the sketches."""
     page.execute_script("window.timings.fresh()")
@@ -181,6 +199,23 @@ def draw_one(page: Chrome, name: str, screen: Screen, rng: np.random.Generator, 
     known = "return JSON.stringify({...timings.state(), shape: timings.facts()[0]?.shape})"
     state = json.loads(page.execute_script(known))
     return is_right(name, state, np.array(truth) + 6)
+
+
+def draw_all(page: Chrome, name: str, screen: Screen, each: int, sketches: list[Any], failures: Path | None) -> int:
+    """How many of the drawings of a solid come right; pictures of the others go to a folder if one is given."""
+    right = 0
+    for k in range(each):
+        rng = np.random.default_rng([k, SEEDS[name], screen.width])
+        try:
+            good = draw_one(page, name, screen, rng, sketches)
+        except TimeoutException as late:
+            print(f"{name}, {k}: {late.msg}", flush=True)
+            good = False
+        if failures and not good:
+            page.save_screenshot(str(failures / f"{name}-{screen.width}-{k}.png".replace(" ", "-")))
+            (failures / f"{name}-{screen.width}-{k}.json".replace(" ", "-")).write_text(json.dumps(sketches[-1]))
+        right += good
+    return right
 
 
 def computing(strokes: list[Any], times: int = 1) -> tuple[float, bool]:
@@ -226,30 +261,48 @@ def tell_waits(waits: list[float]) -> None:
     print(f"median {np.median(searched):.0f} ms.")
 
 
-def main(each: int) -> None:
-    names = [*SOLIDS, "cylinder"]
-    print("| solid | " + " | ".join(s.name for s in SCREENS) + " |\n|---|" + "---|" * len(SCREENS))
+def main(each: int, screens: list[Screen], names: list[str], failures: Path | None) -> None:
     table: dict[str, list[int]] = {name: [] for name in names}
     waits: list[float] = []
     sketches: list[Any] = []
     with start_app() as address, start_browser() as page:
-        for screen in SCREENS:
+        page.set_page_load_timeout(LONGEST)
+        page.set_script_timeout(LONGEST)
+        for screen in screens:
             show_screen(page, screen)
-            page.get(address)
-            loaded = "const d = arguments[0], t = () => window.timings ? d() : setTimeout(t, 50); t()"
-            page.execute_async_script(loaded)
-            page.find_element(By.ID, "start-draw").click()
+            open_pad(page, address)
             for name in names:
-                rng = np.random.default_rng([each, len(name), screen.width])
-                table[name].append(sum(draw_one(page, name, screen, rng, sketches) for _ in range(each)))
+                begin = time.monotonic()
+                table[name].append(draw_all(page, name, screen, each, sketches, failures))
+                took = time.monotonic() - begin
+                print(f"{screen.name}: {name}, {table[name][-1]} of {each} in {took:.0f} s", flush=True)
             waits += page.execute_script("return window.timings.live().waits")
+    print("\n| solid | " + " | ".join(s.name for s in screens) + " |\n|---|" + "---|" * len(screens))
     for name, right in table.items():
         print(f"| {name} | " + " | ".join(f"{r} of {each}" for r in right) + " |")
     sums = [sum(column) for column in zip(*table.values(), strict=True)]
-    print("| all | " + " | ".join(f"{s} of {each * len(names)}" for s in sums) + " |")
+    print("| all | " + " | ".join(f"{s} of {each * len(names)}" for s in sums) + " |", flush=True)
     tell_waits(waits)
     tell_computing(sketches)
 
 
+def wanted() -> argparse.Namespace:
+    """What the command line asks for."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("each", nargs="?", type=int, default=10, help="drawings of each solid on each screen")
+    parser.add_argument("--screen", choices=[s.name.split(",")[0] for s in SCREENS], help="only this one")
+    parser.add_argument("--solid", choices=SEEDS, help="only this one")
+    parser.add_argument("--failures", type=Path, help="folder for pictures and strokes of what did not come right")
+    return parser.parse_args()
+
+
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 10)
+    asked = wanted()
+    if asked.failures:
+        asked.failures.mkdir(parents=True, exist_ok=True)
+    main(
+        asked.each,
+        [s for s in SCREENS if s.name.startswith(asked.screen or "")],
+        [asked.solid] if asked.solid else list(SEEDS),
+        asked.failures,
+    )

@@ -31,8 +31,9 @@ from sketch2shape.ui.openapi import VECTOR_KINDS
 from sketch2shape.ui.workers import WorkerPool, Workers
 
 PAGE_MODULES = (
-    "app", "begun", "camera", "editor", "folder", "geometry", "history", "keep", "live", "marks", "pad", "readings",
-    "server", "shape", "sizes", "stage", "take", "tidy", "words",
+    "app", "begun", "camera", "changing", "editor", "folder", "geometry", "history", "keep", "live", "marks",
+    "opening", "pad", "painting", "readings", "server", "shape", "sheets", "showing", "sizes", "sketching",
+    "stage", "take", "tidy", "wiring", "words", "work",
 )  # fmt: skip
 """Scripts of the page, which load each other."""
 

@@ -1,6 +1,7 @@
 /* The sheet to draw on with mouse, pen, finger and keyboard. It shows strokes and makes new ones; what becomes of them is the
    page's business. Sheet units are CSS pixels at a zoom of one. */
 import { gap } from "./geometry.js";
+import { paintSheet, trace } from "./painting.js";
 import { REACH, corners, dragged, endsOf, goesStraight, settled, snapped, stamped, strokeAt, tidied } from "./tidy.js";
 import { say } from "./words.js";
 
@@ -11,7 +12,6 @@ const PINCH_MS = 250, PINCH_WAY = 14;
 /* grid cell, sheet units; margin round what is drawn */
 const CELL = 24, MARGIN = 28;
 const LEAST_ZOOM = 0.2, MOST_ZOOM = 8;
-const DASH = [9, 7];
 
 export class Pad {
   /* on: {change(strokes): a step was made, say(words), paint(): the view has changed} */
@@ -127,7 +127,7 @@ export class Pad {
     pen.fillStyle = "#fff";
     pen.fillRect(0, 0, frame.width, frame.height);
     Object.assign(pen, { strokeStyle: "#1c2028", lineWidth: 2.5, lineCap: "round", lineJoin: "round" });
-    for (const stroke of this.strokes) this.trace(pen, stroke, p => [p[0] - frame.x, p[1] - frame.y]);
+    for (const stroke of this.strokes) trace(pen, stroke, p => [p[0] - frame.x, p[1] - frame.y]);
     return new Promise(done => canvas.toBlob(done, "image/png"));
   }
 
@@ -324,99 +324,9 @@ export class Pad {
     this.zoom(Math.exp(-e.deltaY / 400), this.at(e));
   }
 
-  /* ---- painting */
   paint() {
     if (this.pending) return;
     this.pending = true;
-    requestAnimationFrame(() => { this.pending = false; this.paintNow(); });
-  }
-
-  paintNow() {
-    const box = this.box(), ratio = window.devicePixelRatio || 1;
-    if (!box.width) return;
-    const w = Math.round(box.width * ratio), h = Math.round(box.height * ratio);
-    if (this.canvas.width !== w || this.canvas.height !== h) Object.assign(this.canvas, { width: w, height: h });
-    const pen = this.context, style = getComputedStyle(this.canvas), colour = name => style.getPropertyValue(`--${name}`).trim();
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, box.width, box.height);
-    if (this.grid) this.paintGrid(pen, box, colour("line"));
-    Object.assign(pen, { lineCap: "round", lineJoin: "round" });
-    this.paintFound(pen, colour);
-    this.strokes.forEach((stroke, k) => {
-      Object.assign(pen, { strokeStyle: this.selected.has(k) ? colour("front") : colour("pen"), lineWidth: this.selected.has(k) ? 3.4 : 2.4 });
-      this.trace(pen, stroke, p => this.onScreen(p));
-    });
-    this.paintCurrent(pen, colour);
-    this.paintMarks(pen, colour);
-    this.on.paint();
-  }
-
-  trace(pen, stroke, place) {
-    pen.setLineDash(stroke.dashed ? DASH : []);
-    pen.beginPath();
-    stroke.points.forEach((p, k) => k ? pen.lineTo(...place(p)) : pen.moveTo(...place(p)));
-    pen.stroke();
-    pen.setLineDash([]);
-  }
-
-  paintGrid(pen, box, colour) {
-    Object.assign(pen, { strokeStyle: colour, lineWidth: 1 });
-    pen.beginPath();
-    const cell = CELL * this.view.s, [ox, oy] = this.onScreen([0, 0]);
-    const lines = (slope, step) => {  // lines y = slope * x + k * step, or upright ones
-      if (slope === null) for (let x = ox % step; x < box.width; x += step) { pen.moveTo(x, 0); pen.lineTo(x, box.height); }
-      else {
-        const reach = Math.abs(slope) * box.width, from = oy - slope * ox;
-        for (let y = ((from % step) + step) % step - step - reach; y < box.height + reach + step; y += step) { pen.moveTo(0, y); pen.lineTo(box.width, y + slope * box.width); }
-      }
-    };
-    if (this.gridKind === "square") { lines(null, cell); lines(0, cell); }
-    else { lines(null, cell * Math.cos(Math.PI / 6)); for (const side of [-1, 1]) lines(side * Math.tan(Math.PI / 6), cell); }
-    pen.stroke();
-  }
-
-  paintFound(pen, colour) {
-    if (!this.shown) return;
-    pen.globalAlpha = this.shown.sure ? 0.13 : 0.06;
-    pen.fillStyle = colour("front");
-    pen.beginPath();
-    for (const ring of this.shown.front) { ring.forEach((p, k) => k ? pen.lineTo(...this.onScreen(p)) : pen.moveTo(...this.onScreen(p))); pen.closePath(); }
-    pen.fill("evenodd");
-    pen.globalAlpha = 1;
-  }
-
-  paintCurrent(pen, colour) {
-    const c = this.current;
-    const ring = (p, name) => { pen.beginPath(); pen.arc(...this.onScreen(p), 7, 0, 7); Object.assign(pen, { strokeStyle: colour(name), lineWidth: 2 }); pen.stroke(); };
-    if (c) {
-      Object.assign(pen, { strokeStyle: colour("front"), lineWidth: 2.6 });
-      this.trace(pen, { points: c.shape ? c.shape.points : c.path, dashed: c.dashed }, p => this.onScreen(p));
-      c.shape?.kinds.forEach((kind, k) => { if (kind) ring(c.shape.points[k], "front"); });
-    } else if (this.spot && !this.cursor) ring(this.spot, "front");
-    if (this.grip?.to && this.grip.box) {
-      const [a, b] = [this.onScreen(this.grip.from), this.onScreen(this.grip.to)];
-      Object.assign(pen, { strokeStyle: colour("front"), lineWidth: 1 });
-      pen.strokeRect(a[0], a[1], b[0] - a[0], b[1] - a[1]);
-    }
-    if (this.cursor) {
-      const [x, y] = this.onScreen(this.cursor.at);
-      Object.assign(pen, { strokeStyle: colour("front"), lineWidth: 1.5 });
-      pen.beginPath();
-      for (const [dx, dy] of [[1, 0], [0, 1]]) { pen.moveTo(x - 12 * dx, y - 12 * dy); pen.lineTo(x + 12 * dx, y + 12 * dy); }
-      pen.stroke();
-      if (this.cursor.from) this.trace(pen, { points: [this.cursor.from, this.cursor.at] }, p => this.onScreen(p));
-    }
-  }
-
-  paintMarks(pen, colour) {
-    Object.assign(pen, { strokeStyle: colour("bad"), lineWidth: 2 });
-    for (const { point } of this.marks.loose) { pen.beginPath(); pen.arc(...this.onScreen(point), 9, 0, 7); pen.stroke(); }
-    Object.assign(pen, { lineWidth: 4 });
-    pen.setLineDash([9, 6]);
-    for (const points of this.marks.left) { pen.beginPath(); pen.moveTo(...this.onScreen(points[0])); pen.lineTo(...this.onScreen(points[1])); pen.stroke(); }
-    Object.assign(pen, { lineWidth: 2 });
-    pen.setLineDash([3, 6]);
-    for (const points of this.marks.missing) { pen.beginPath(); pen.moveTo(...this.onScreen(points[0])); pen.lineTo(...this.onScreen(points[1])); pen.stroke(); }
-    pen.setLineDash([]);
+    requestAnimationFrame(() => { this.pending = false; if (paintSheet(this)) this.on.paint(); });
   }
 }

@@ -7,7 +7,7 @@ import { say } from "./words.js";
 const SPEED = 24;
 
 export class Readings {
-  /* box: the element with a list; on(number): a reading was taken */
+  /* box: the element with a list; on: {take(number): a reading was taken} */
   constructor(box, on) {
     Object.assign(this, { box, on, views: [], last: 0 });
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -26,7 +26,7 @@ export class Readings {
       button.setAttribute("aria-label", say("whichOne", { n: reading.number, name: reading.name, size }));
       canvas.setAttribute("aria-hidden", "true");
       button.append(canvas, size);
-      button.addEventListener("click", () => this.on(reading.number));
+      button.addEventListener("click", () => this.on.take(reading.number));
       item.append(button);
       this.views.push(new SolidView(canvas, reading.solid, { still: true, hidden: false, ground: false, colours: colours(document.body) }));
       return item;
