@@ -9,6 +9,7 @@ The file is JSON. For one picture:
 
 `"arcs"`, in the words of a report, tell which edges are curved (`"points"` along them suffice; those of "f2" may be
 left out, but for whole ellipses); "f2" of one vertex is the point of a pyramid or a cone.
+`"lines"`, `"noise"`, `"f2_drawn"` and `"page"`, as in a report, tell how it is drawn; the proportions depend on it.
 `"d": [dx, dy]` may stand for "f2", which is then f1 shifted. With `"vertices": [[x, y], ...]` the rings may be indices
 into it. An object without "f1" leaves the finding to the program and only says how to lift the object at this place of
 the list. For a folder, `{"schema": ..., "pictures": {"a.png": {"objects": [...]}, ...}}`. A report (NAME.json) is
@@ -27,6 +28,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from sketch2shape.corrections.arcs import arcs_from, needs_vertices
+from sketch2shape.corrections.manner import MANNERS, manner_from
 from sketch2shape.errors import UsageError
 from sketch2shape.model import Answer, FacePair, Floats, Picture, Side, TwoFaceObject
 
@@ -40,10 +42,8 @@ _MOST_READINGS = 100
 _FAMILIES = ("auto", "oblique", "axonometric", "perspective")
 _SIZES = ("width", "height", "depth")
 #: what a report says of an object beyond what can be corrected
-_FINDINGS = frozenset(
-    {"silhouettes", "shape", "edges", "confidence", "solid", "alternatives", "lines", "connectors", "noise", "f2_drawn"}
-)
-_OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "arcs", "projection", "reading", *_SIZES})
+_FINDINGS = frozenset({"silhouettes", "shape", "edges", "confidence", "solid", "alternatives", "connectors"})
+_OBJECT_KEYS = frozenset({"vertices", "f1", "f2", "d", "holes", "arcs", "projection", "reading", *_SIZES, *MANNERS})
 
 
 @dataclass(frozen=True)
@@ -177,7 +177,8 @@ def _faces(entry: Mapping[str, Any], points: Floats | None, where: str) -> TwoFa
     wrong = needs_vertices([outer, *holes], arcs)
     if wrong:
         raise _wrong(f"{where}: {wrong[0]}; a face needs 3 vertices, or arcs")
-    shape = TwoFaceObject(outer.f1, outer.f2, holes, connectors=("hand", "hand"), arcs=arcs)
+    manner = manner_from(entry, sum(len(ring.f2) for ring in (outer, *holes)), where)
+    shape = TwoFaceObject(outer.f1, outer.f2, holes, connectors=("hand", "hand"), arcs=arcs, **manner)
     _check_faces(shape, where)
     return shape
 

@@ -15,6 +15,9 @@ _ALIGNED = np.deg2rad(3.0)
 #: part of the edges' squared length that must run along the axes
 _SHARE = 0.3
 
+#: directions with this part of the best one's squared length are as good: a right triangle's legs and its longest side
+_TIE = 0.9
+
 
 def own_axes(edges: Floats, through: Floats) -> Floats:
     """(3, 3) unit rows: width and height in the face, and the normal from the front to the back face.
@@ -37,19 +40,21 @@ def own_axes(edges: Floats, through: Floats) -> Floats:
 def _lean(edges: Floats) -> float:
     """Angle of the direction, between -45 and 45 degrees, that most of the edges (m, 2) run along or across, radians.
 
-    Squared lengths count, as a long edge says more than many short ones; 0 if no direction has its share.
+    Squared lengths count, as a long edge says more than many short ones; of directions that are as good the most level;
+    0 if no direction has its share.
     """
     x, y = edges.T
     weight, angle = x * x + y * y, np.arctan2(y, x)
     off = (angle[:, None] - angle + np.pi / 4) % (np.pi / 2) - np.pi / 4
     near = np.abs(off) < _ALIGNED
     support = near @ weight
-    best = int(support.argmax())
-    if support[best] <= _SHARE * float(weight.sum()):
+    if support.max() <= _SHARE * float(weight.sum()):
         return 0.0
-    own = weight * near[:, best]
-    mean = float(angle[best]) + float(own @ off[:, best]) / float(own.sum())
-    return float((mean + np.pi / 4) % (np.pi / 2) - np.pi / 4)
+    good = support >= _TIE * support.max()
+    own = (weight[:, None] * near)[:, good]
+    means = angle[good] + (own * off[:, good]).sum(axis=0) / own.sum(axis=0)
+    leans = (means + np.pi / 4) % (np.pi / 2) - np.pi / 4
+    return float(leans[np.abs(leans).argmin()])
 
 
 def standing(axes: Floats) -> Floats:

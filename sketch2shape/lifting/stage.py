@@ -180,7 +180,7 @@ def _sized(shape: Shape, options: LiftOptions) -> _Sized:
         extremes = shape.boundary.extremes(looks)
     deep = int(np.abs(looks @ through).argmax())
     own = np.ptp(extremes @ looks.T, axis=0)
-    loose = deep if shape.free_axis == 2 else int(np.abs(looks @ shape.pose[shape.free_axis]).argmax())
+    loose = int(np.abs(looks @ shape.pose[shape.free_axis]).argmax())  # not `deep`: of a box others may be the faces
     factors, warnings = measured(own, loose if shape.free else None, options, deep if shape.arcs else None)
     return _Sized(shape, vertices, looks, own, factors, (*shape.warnings, *warnings))
 

@@ -104,6 +104,8 @@ def _object(obj: TwoFaceObject, solid: Solid) -> dict[str, Any]:
     }
     if obj.f2_drawn is not None:
         described["f2_drawn"] = [bool(seen) for seen in obj.f2_drawn]
+    if obj.page is not None:
+        described["page"] = [[float(f"{c:.9g}") for c in row] for row in obj.page]
     return described
 
 

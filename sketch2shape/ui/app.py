@@ -32,7 +32,7 @@ from sketch2shape.ui.workers import WorkerPool, Workers
 
 PAGE_MODULES = (
     "app", "begun", "camera", "changing", "editor", "folder", "geometry", "history", "keep", "live", "marks",
-    "opening", "pad", "painting", "readings", "server", "shape", "sheets", "showing", "sizes", "sketching",
+    "opening", "pad", "painting", "readings", "round", "server", "shape", "sheets", "showing", "sizes", "sketching",
     "stage", "take", "tidy", "wiring", "words", "work",
 )  # fmt: skip
 """Scripts of the page, which load each other."""

@@ -38,6 +38,9 @@ def _object(obj: TwoFaceObject, sure: float) -> dict[str, Any]:
         "holes": [{"f1": rounded(h.f1), "f2": rounded(h.f2)} for h in obj.holes],
         "arcs": curves(obj).get("arcs", []),
         "lines": obj.lines,
+        "noise": round(float(obj.noise), 4),
+        "f2_drawn": None if obj.f2_drawn is None else [bool(seen) for seen in obj.f2_drawn],
+        "page": None if obj.page is None else obj.page.tolist(),
         "confidence": round(sure, 3),
     }
 

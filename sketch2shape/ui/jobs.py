@@ -17,6 +17,7 @@ from sketch2shape.pictures.canvas import Pixels, encode_jpeg, encode_png, fit
 from sketch2shape.pictures.stages import stage_panels
 from sketch2shape.pictures.viewer import data_uri
 from sketch2shape.ui.described import described, rounded
+from sketch2shape.ui.fronts import faced
 
 _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
@@ -43,7 +44,7 @@ def reconstruct_picture(data: bytes, name: str, page: int = 0) -> dict[str, Any]
     picture = read_picture(data, name=name, reduced=True, page=min(page, pages - 1))
     found, problem = _found(picture)
     return {
-        **described(found),
+        **described(faced(found)),
         "name": name,
         "pages": pages,
         "width": picture.size[0],
@@ -66,7 +67,7 @@ def reconstruct_sketch(data: Any) -> dict[str, Any]:
     if problem and picture.drawing:
         origin, scale = np.array(picture.drawing.origin), picture.drawing.scale
         problem["left"] = [rounded(origin + np.array(ends) / scale) for ends in problem["left"]]
-    return {**described(Answer(objects, solids, picture)), "problem": problem}
+    return {**described(faced(Answer(objects, solids, picture))), "problem": problem}
 
 
 def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:

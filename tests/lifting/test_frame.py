@@ -46,3 +46,11 @@ def test_frames_are_right_handed(up):
 
 def test_a_face_without_any_extent_leans_nowhere():
     assert np.isfinite(own_axes(np.zeros((4, 3)), np.array([0.0, 0, 5]))).all()
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_right_triangle_rests_on_a_leg_not_on_its_longest_side(seed):
+    """By Pythagoras the squares of its legs are those of its longest side: noise must not choose."""
+    ring = np.array([[0, 0], [260, 0], [260, -215.0]]) + np.random.default_rng(seed).normal(0, 2, (3, 2))
+    axes = own_axes(edge_vectors(flat(ring), [3]), np.array([0.0, 0.0, 300.0]))
+    assert abs(axes[0, 0]) > 0.999

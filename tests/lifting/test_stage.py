@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from sketch2shape.errors import PointsError
 from sketch2shape.export import to_trimesh
-from sketch2shape.lifting import LiftOptions, lift
+from sketch2shape.lifting import OTHER_PAIRS, LiftOptions, lift
+from sketch2shape.lifting.measure import free_size
 from sketch2shape.model.drawing import FacePair, TwoFaceObject
 
 SQUARE = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1.0]])
@@ -208,3 +209,14 @@ def test_any_two_faces_give_a_finite_closed_solid(n, seed, mix):
     mesh = to_trimesh(got)
     assert mesh.is_watertight
     assert mesh.volume > 0
+
+
+@pytest.mark.parametrize("order", OTHER_PAIRS)
+def test_an_oblique_box_leaves_its_depth_free_whatever_sides_are_its_faces(order):
+    front = np.array([(100, 200), (300, 200), (300, 380), (100, 380.0)])
+    points = np.concatenate([front, front + (120, -90)])[order]
+    solid = lift(TwoFaceObject(points[:4], points[4:]))
+    assert free_size(solid.warnings) == "depth"
+    sized = lift(TwoFaceObject(points[:4], points[4:]), options=LiftOptions(width="40mm", depth="90mm"))
+    assert sized.dimensions == pytest.approx((40, 36, 90), rel=0.01)
+    assert not sized.warnings

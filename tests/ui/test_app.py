@@ -8,7 +8,7 @@ import trimesh
 from starlette.testclient import TestClient
 
 from sketch2shape.ui.app import PAGE_MODULES
-from sketch2shape.ui.examples import EXAMPLES
+from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.writing.formats import FORMATS
 
 from .here import BACK, FRONT
@@ -28,6 +28,15 @@ def test_the_page_and_its_parts_are_served(app: TestClient) -> None:
 def test_every_script_that_a_script_loads_is_served(app: TestClient) -> None:
     asked = {m for name in PAGE_MODULES for m in re.findall(r'from "\./(\w+)\.js"', app.get(f"/{name}.js").text)}
     assert asked == {*PAGE_MODULES} - {"app"}
+
+
+def test_scripts_are_short_and_load_each_other_in_no_circle(app: TestClient) -> None:
+    text = {name: app.get(f"/{name}.js").text for name in PAGE_MODULES}
+    assert [name for name, script in text.items() if script.count("\n") >= 400] == []
+    waiting = {name: set(re.findall(r'from "\./(\w+)\.js"', script)) for name, script in text.items()}
+    while ready := {name for name, needs in waiting.items() if not needs}:
+        waiting = {name: needs - ready for name, needs in waiting.items() if name not in ready}
+    assert waiting == {}
 
 
 def test_nothing_is_loaded_from_elsewhere_and_the_page_is_small(app: TestClient) -> None:
@@ -52,6 +61,18 @@ def test_strokes_become_a_solid_in_their_own_coordinates(app: TestClient) -> Non
     corners = {(round(x + 500), round(y + 300)) for ring in ("f1", "f2") for x, y in found["objects"][0][ring]}
     assert corners == {(round(x), round(y)) for x, y in FRONT + BACK}
     assert len(found["facts"][0]["size"]) == 3
+
+
+def test_a_photo_of_a_tilted_page_is_the_same_solid_when_the_page_asks_again(app: TestClient) -> None:
+    found = app.post("/api/reconstruct", content=example_png("photo"), headers=PNG).json()
+    told = {k: v for k, v in found["objects"][0].items() if k != "confidence"}
+    assert told["noise"] > 0
+    sheet = {"width": found["width"], "height": found["height"]}
+    again = app.post("/api/lift", json={**sheet, "objects": [told]}).json()
+    assert again["facts"][0]["size"] == pytest.approx(found["facts"][0]["size"], rel=0.005)
+    bare = {k: told[k] for k in ("f1", "f2", "holes")}
+    flat = app.post("/api/lift", json={**sheet, "objects": [bare]}).json()
+    assert flat["facts"][0]["size"] != pytest.approx(found["facts"][0]["size"], rel=0.01)
 
 
 def test_strokes_that_show_no_solid_give_the_best_guess_or_nothing(app: TestClient) -> None:

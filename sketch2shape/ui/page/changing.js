@@ -88,7 +88,7 @@ Object.assign(editor.on, {
   change: (next, done) => {
     moving = !done;
     editor.left = [];
-    work.state = { ...next, sure: null, guess: "" };
+    work.state = shape.byHand({ ...next, sure: null, guess: "" }, work.state);
     if (done) step(work.state);
     lifted();
   },

@@ -8,17 +8,19 @@ const NEAR = 45, ALONG = 14;
 /* labels shown at once: more would hide the drawing */
 const MOST_LABELS = 3;
 
-export const NONE = { loose: [], missing: [], left: [] };
+export const NONE = { loose: [], missing: [], left: [], done: false };
 
-/* what is wrong: {loose: [{point, other}], missing: [[a, b]], left: [[a, b]]}; `left` are lines that the guess has no place for:
+/* what is wrong: {loose: [{point, other, held}], missing: [[a, b]], left: [[a, b]], done}; `left` are lines that the guess has no place for:
    none are told while an end waits for its line, as nobody has said that the drawing is done.
    Ends are told once there is enough to belong together; edges
-   once something was found that has them and that is not a drawing without hidden lines */
-export function faults(strokes, found, unit, left = []) {
-  const loose = strokes.length > 2 ? looseEnds(strokes, NEAR * unit) : [];
+   once something was found that has them and that is not a drawing without hidden lines; `done` tells that a whole solid was
+   found: an end that is loose then waits for nothing */
+export function faults(strokes, found, unit, left = [], done = false) {
+  // before, an end near a corner may be on its way elsewhere
+  const ends = strokes.length > 2 ? looseEnds(strokes, NEAR * unit) : [], loose = ends.map(l => l.held && !done ? { ...l, other: null, held: false } : l);
   const edges = found && found.lines !== "removed" ? edgesOf(found) : [];
   const waits = loose.some(l => !l.other);
-  return { loose, missing: waits ? [] : undrawn(edges, strokes, ALONG * unit), left: waits ? [] : left };
+  return { loose, missing: waits ? [] : undrawn(edges, strokes, ALONG * unit), left: waits ? [] : left, done };
 }
 
 /* the straight edges; a drawing has none where a line and an arc join smoothly, so of objects with arcs those between the
@@ -47,7 +49,8 @@ export function areEdges(strokes, found, unit) {
 
 /* the faults counted, in one sentence; "" if there are none */
 export function told({ loose, missing, left }) {
-  const apart = loose.filter(l => l.other).length, pairs = Math.ceil(apart / 2), ends = loose.length - apart;
+  const held = loose.filter(l => l.held).length, apart = loose.filter(l => l.other).length - held, ends = loose.length - apart - held;
+  const pairs = held + Math.ceil(apart / 2);
   return [pairs && count("dontMeet", pairs), ends && count("loose", ends), missing.length && count("missing", missing.length), left.length && count("left", left.length)].filter(Boolean).join(", ");
 }
 
@@ -55,9 +58,9 @@ export function told({ loose, missing, left }) {
 export function label(box, marks, place, join) {
   const seen = [];
   for (const { point, other } of marks.loose) {
-    // an end that is merely loose may be waiting for its line: its ring is enough
-    if (!other || seen.some(s => s.key === String(other))) continue;
-    seen.push({ key: String(point), at: middle(point, other), words: say("dontMeet") });
+    // while one draws, an end that is merely loose may be waiting for its line: its ring is enough
+    if (other ? seen.some(s => s.key === String(other)) : !marks.done) continue;
+    seen.push(other ? { key: String(point), at: middle(point, other), words: say("dontMeet") } : { at: point, words: say("looseEnd") });
   }
   for (const [a, b] of marks.missing) seen.push({ at: middle(a, b), words: say("missingEdge") });
   const labels = seen.slice(0, MOST_LABELS).map(({ at, words }) => {

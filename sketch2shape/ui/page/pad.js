@@ -2,6 +2,7 @@
    page's business. Sheet units are CSS pixels at a zoom of one. */
 import { gap } from "./geometry.js";
 import { paintSheet, trace } from "./painting.js";
+import { pulled } from "./round.js";
 import { REACH, corners, dragged, endsOf, goesStraight, settled, snapped, stamped, strokeAt, tidied } from "./tidy.js";
 import { say } from "./words.js";
 
@@ -68,14 +69,14 @@ export class Pad {
 
   addLine(a, b) { if (gap(a, b) > 1) this.commit([...this.strokes, { points: [a, b], dashed: this.tool === "dashed" }]); }
 
-  /* each pair of loose ends that nearly meet is brought together halfway */
+  /* each pair of loose ends that nearly meet is brought together, and each end that nearly meets a corner goes there */
   join() {
     let strokes = this.strokes;
     const done = [];
-    for (const { point, other } of this.marks.loose) {
+    for (const { point, other, held } of this.marks.loose) {
       if (!other || done.some(p => gap(p, point) < 1e-6 || gap(p, other) < 1e-6)) continue;
-      done.push(point, other);
-      strokes = dragged(strokes, other, point);
+      if (!held) done.push(point, other);
+      strokes = held ? dragged(strokes, point, other) : dragged(strokes, other, point);
     }
     this.commit(strokes);
   }
@@ -224,7 +225,7 @@ export class Pad {
       const options = { reach: c.reach, unit: this.unit, grid: this.grid, lock: c.lock, dashed: c.dashed };
       const path = c.lock ? [c.path[0], c.path[c.path.length - 1]] : c.path;
       const made = path.length > 1 ? tidied(path, this.strokes, options) : [];
-      if (made.length) this.commit([...this.strokes, ...stamped(made, c.path)]);
+      if (made.length) this.commit([...made.reduce((all, one) => pulled(all, one, options), this.strokes), ...stamped(made, c.path)]);
     } else if (grip && this.fingers.size === 0) {
       this.grip = null;
       this.letGo(grip);

@@ -8,6 +8,10 @@
 import { given, lengthOf } from "./sizes.js";
 
 const SIZES = ["width", "height", "depth"];
+/* how an object is drawn, in a report's words: the proportions depend on it */
+const MANNERS = ["lines", "noise", "f2_drawn", "page"];
+
+const mannerOf = data => Object.fromEntries(MANNERS.filter(name => data[name] !== undefined && data[name] !== null).map(name => [name, data[name]]));
 
 export const copy = state => JSON.parse(JSON.stringify(state));
 
@@ -29,7 +33,7 @@ export function newObject(f1, f2) {
 export function withWishes(found, before) {
   return found.map((o, k) => {
     const { projection, sizes, unit } = before[k] || newObject();
-    return { ...newObject(o.f1, o.f2), holes: o.holes, arcs: o.arcs || [], lines: o.lines, projection, sizes, unit };
+    return { ...newObject(o.f1, o.f2), holes: o.holes, arcs: o.arcs || [], ...mannerOf(o), projection, sizes, unit };
   });
 }
 
@@ -207,7 +211,7 @@ export function fronted(state, point) {
 export function corrections(state, width, height, families = []) {
   const objects = state.objects.map((o, k) => {
     const projection = o.projection === "auto" && families[k] || o.projection;
-    const said = { f1: o.f1, f2: o.f2, holes: o.holes, projection };
+    const said = { f1: o.f1, f2: o.f2, holes: o.holes, projection, ...mannerOf(o) };
     if (o.arcs.length) said.arcs = o.arcs;
     if (o.reading > 1) said.reading = o.reading;
     for (const name of SIZES) {
@@ -217,6 +221,12 @@ export function corrections(state, width, height, families = []) {
     return said;
   });
   return { schema: "sketch2shape-corrections/1", width: Math.round(width), height: Math.round(height), objects };
+}
+
+/* objects that a hand has changed since `before`: all their corners are seen there */
+export function byHand(state, before) {
+  const shape = o => JSON.stringify(o && [o.f1, o.f2, o.holes]);
+  return { ...state, objects: state.objects.map((o, k) => shape(o) === shape(before.objects[k]) ? o : { ...o, f2_drawn: undefined }) };
 }
 
 /* all points of a state moved */
@@ -287,6 +297,7 @@ function corrected(data, k, old, scale) {
     const holes = (data.holes || []).map(h => pairOf(h, points, shift, arcs.length));
     object = { ...newObject(fit(outer.f1), fit(outer.f2)), holes: holes.map(h => ({ f1: fit(h.f1), f2: fit(h.f2) })) };
     object.arcs = arcs.map(arc => fitted(arc, fit, scale));
+    Object.assign(object, mannerOf(data), scale.every(s => s === 1) ? {} : { page: undefined, noise: data.noise && data.noise * Math.sqrt(scale[0] * scale[1]) });
   }
   const family = typeof data.projection === "object" ? data.projection?.family : data.projection;
   if (family) object.projection = family;

@@ -89,7 +89,7 @@ async function showLive(answered, isNewest) {
 /* what is wrong with the drawing, marked on it */
 export function review(object) {
   const { state } = work, sure = state.sure !== null && state.sure >= SURE && !state.guess;
-  const marks = work.marks = faults(state.strokes, sure ? null : object, pad.unit, object && state.guess ? work.left : []);
+  const marks = work.marks = faults(state.strokes, sure ? null : object, pad.unit, object && state.guess ? work.left : [], Boolean(object) && state.guess !== say("begun"));
   pad.mark(marks);
   pad.over(object ? { sure, front: state.objects.flatMap(o => shape.rings(o).map((_, r) => shape.outline(o, r, 1))) } : null);
   if (drawing()) hint(told(marks) || (object && sure ? say("hintDone") : say("hintPad")));

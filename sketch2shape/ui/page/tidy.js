@@ -2,6 +2,7 @@
      {points: [[x, y, ...], ...], dashed}
    and straight if it has two points. Lengths are those of the sheet; `unit` is how many of them one CSS pixel is. */
 import { between, ellipseOf, ellipsePoints, gap, kept, offsets, pathLength, resampled, smoothed, toPath, toSegment, turned, bowOf } from "./geometry.js";
+import { evened, touching } from "./round.js";
 
 /* how far a hand misses, CSS pixels and radians: a finger hides what it points at, a mouse slips, a pen is between */
 export const REACH = {
@@ -181,6 +182,8 @@ export function settled(line, strokes, { reach: hand, unit, grid = null, lock = 
   const taken = strokes.flatMap(s => { const [p, q] = endsOf(s); return gap(p, from.point) < 1e-6 ? [q] : gap(q, from.point) < 1e-6 ? [p] : []; });
   const to = snapped(wanted, strokes, reach, unit, grid, [from.point, ...taken]);
   let [a, b] = [from.point, to.point];
+  const rim = lock ? null : onRims(line, strokes, { reach: hand, unit }, [from, to]);
+  if (rim) return { points: rim, kinds: [from.kind || "line", to.kind || "line"] };
   if (lock && to.kind !== "end") b = wanted;
   else if (to.kind === "end" && from.kind !== "end" && from.kind !== "grid") a = aligned(b, a, strokes, reach);
   else if (!["end", "grid", "line"].includes(to.kind)) b = aligned(a, b, strokes, reach);
@@ -190,10 +193,19 @@ export function settled(line, strokes, { reach: hand, unit, grid = null, lock = 
   return { points: [a, b], kinds: [from.kind, to.kind] };
 }
 
+/* a line that touches ellipses: [a, b], or null. Ends of other strokes and nodes of the grid hold its ends; a free end is aligned first */
+function onRims(line, strokes, options, ends) {
+  const fixed = e => e.kind === "end" || e.kind === "grid", held = ends.map(e => fixed(e) ? e.point : null);
+  const found = touching(line, strokes, options, held), free = ends.findIndex(e => !e.kind);
+  if (!found || free < 0) return found;
+  const still = found[1 - free], moved = aligned(still, found[free], strokes, options.reach);
+  return touching(free ? [still, moved] : [moved, still], strokes, options, held);
+}
+
 /* a curve settled: its ends moved to where they belong, the rest along with them; a whole ellipse stays */
 export function bent(path, strokes, options) {
   const closed = gap(path[0], path[path.length - 1]) < 1e-6;
-  if (closed) return path;
+  if (closed) return evened(path, strokes, options);
   const ends = [path[0], path[path.length - 1]].map(p => snapped(p, strokes, options.reach, options.unit, options.grid));
   const moves = ends.map((e, k) => [e.point[0] - path[k ? path.length - 1 : 0][0], e.point[1] - path[k ? path.length - 1 : 0][1]]);
   return path.map((p, k) => {
@@ -228,8 +240,8 @@ export function stamped(strokes, path) {
   }));
 }
 
-/* ends of strokes that meet no other stroke: [{point, other}], other being the next such end if it is near: two lines that
-   were meant to meet */
+/* ends of strokes that meet no other stroke: [{point, other, held}], other being the next such end if it is near, or else the
+   next corner of other strokes, which is held where it is: lines that were meant to meet */
 export function looseEnds(strokes, near) {
   const loose = [];
   strokes.forEach((stroke, k) => {
@@ -240,9 +252,11 @@ export function looseEnds(strokes, near) {
     }
   });
   return loose.map(l => {
-    const others = loose.filter(o => o.stroke !== l.stroke && gap(o.point, l.point) < near);
-    const other = others.sort((a, b) => gap(a.point, l.point) - gap(b.point, l.point))[0];
-    return { ...l, other: other ? other.point : null };
+    const nearest = points => points.filter(p => gap(p, l.point) < near).sort((a, b) => gap(a, l.point) - gap(b, l.point))[0] || null;
+    const other = nearest(loose.filter(o => o.stroke !== l.stroke).map(o => o.point));
+    const own = endsOf(strokes[l.stroke]), others = strokes.filter((_, k) => k !== l.stroke);
+    const corner = other ? null : nearest(corners(others).map(c => c.point).filter(p => !own.some(e => gap(e, p) < 1e-6)));
+    return { ...l, other: other || corner, held: Boolean(corner) };
   });
 }
 

@@ -104,7 +104,7 @@ for (const [id, does] of Object.entries({
   adjust: () => goTo("editor"), "draw-on": () => { goTo("pad"); review(work.state.objects[0] || null); },
   download: () => take.open(), "share-too": () => { $("take").close(); share(); }, numbers: () => $("numbers-box").showModal(),
   "zoom-in": () => drawing() ? pad.zoom(1.4) : editor.zoom(1 / 1.4), "zoom-out": () => drawing() ? pad.zoom(1 / 1.4) : editor.zoom(1.4), "zoom-fit": () => drawing() ? pad.fit() : editor.fit(),
-  swap: () => { if (work.state.objects.length) change(shape.swapped(work.state, work.selected)); },
+  swap: () => { if (work.state.objects.length) change(shape.byHand(shape.swapped(work.state, work.selected), work.state)); },
 })) $(id).addEventListener("click", does);
 
 /* ---- fields */

@@ -23,7 +23,7 @@ const ENGLISH = {
   hintPad: "Draw all edges; hidden ones if you like.", hintDone: "Type its sizes on it, turn it, download it; or draw on.",
   hintErase: "Drag over lines to rub them out.", hintSelect: "Tap a line to select it, drag a corner to move it; Delete removes what is selected.",
   hintHand: "Drag the sheet; two fingers zoom, so does Ctrl with the wheel.",
-  dontMeet: "These two lines do not meet", missingEdge: "An edge is missing here", unsure: "Only a guess",
+  dontMeet: "These two lines do not meet", missingEdge: "An edge is missing here", looseEnd: "This end meets no line", unsure: "Only a guess",
   dontMeetCount: "{n} places where two lines do not meet", looseCount: "{n} loose ends", missingCount: "{n} edges are missing", leftCount: "{n} red lines fit no solid", leftOne: "the red line fits no solid",
   dontMeetOne: "1 place where two lines do not meet", looseOne: "1 loose end", missingOne: "1 edge is missing", joinThem: "Join them",
   /* numbers dialogue */

@@ -109,6 +109,14 @@ test("loose ends are told, and which two were meant to meet", () => {
   assert.equal(ends.filter(e => e.other).length, 2);
 });
 
+test("an end that nearly meets a corner of others is told, but not of its own", () => {
+  const corner = [{ points: [[0, 0], [100, 0]] }, { points: [[100, 0], [100, 90]] }];
+  const [short] = looseEnds([...corner, { points: [[120, 12], [300, 200]] }], 40).filter(e => e.point[0] === 120);
+  assert.deepEqual([short.other, short.held], [[100, 0], true]);
+  const [own] = looseEnds([...corner, { points: [[100, 0], [120, 12]] }], 40).filter(e => e.point[0] === 120);
+  assert.deepEqual([own.other, own.held], [null, false]);
+});
+
 test("edges that nobody drew", () => {
   const strokes = [{ points: [[0, 0], [100, 0]] }];
   assert.deepEqual(undrawn([[[0, 1], [100, 1]], [[0, 0], [0, 80]]], strokes, 5), [[[0, 0], [0, 80]]]);
