@@ -116,6 +116,14 @@ def corrections(objects: str, size: str = '"width":100,"height":100') -> str:
     return '{"schema":"sketch2shape-corrections/1",' + size + ',"objects":' + objects + "}"
 
 
+FALSE_MANNERS = (
+    '"noise":-1', '"noise":1e999', '"lines":["wire"]', '"f2_drawn":[1,0,1]', '"f2_drawn":[true]',
+    '"page":[[0,0,0],[0,0,0],[0,0,0]]', '"page":[[1e300,0,0],[0,1e300,0],[0,0,1]]',
+    '"page":[[NaN,0,0],[0,1,0],[0,0,1]]',
+)  # fmt: skip
+"""What no report tells of how an object is drawn."""
+
+
 def bad_json(rng: random.Random) -> Attack:
     point = rng.choice(["[1e999,0]", "[NaN,0]", "[null,0]", '["1",0]', "[1]", "[1e7,0]", "[[],0]", "true"])
     ring = "[" + ",".join([point] * rng.choice([1, 3, 4])) + "]"
@@ -131,6 +139,7 @@ def bad_json(rng: random.Random) -> Attack:
         corrections('[{"f1":' + ring + ',"f2":' + ring + "}]"),
         corrections('[{"f1":[[0,0],[9,0],[0,9]],"d":[5,5]}]', '"width":1e9,"height":-1'),
         corrections(rng.choice(["{}", "[[]]", '[{"f1":"/etc/passwd"}]', "7"])),
+        corrections('[{"f1":[[0,0],[9,0],[0,9]],"d":[5,5],' + rng.choice(FALSE_MANNERS) + "}]"),
         '{"front":' + ring + ',"back":' + ring + "}",
         '{"picture":"/etc/passwd"}',
         '{"picture":[],"corrections":{}}',

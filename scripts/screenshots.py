@@ -32,14 +32,14 @@ from sketch2shape.ui.examples import example_png  # noqa: E402
 SCREENS = {
     "desktop": Screen("", 1366, 768, False, 2.0),
     "tablet": Screen("", 820, 1180, True, 2.0),
-    "phone": Screen("", 360, 640, True, 2.0),
+    "phone": Screen("", 360, 640, True, 1.0),
     "zoomed": Screen("", 683, 384, False, 2.0),
 }
 """The last is the laptop's at 200 %."""
 ZOOMED = frozenset({"start", "drawn", "found", "take"})
 """States that are shown at 200 % too."""
 COLOURS = 128
-"""Colours of a screenshot: enough for flat surfaces and small files."""
+"""Colours of a screenshot kept as they are, the most frequent ones, and again as many near all others: small files."""
 
 
 LONGEST = 60.0
@@ -121,7 +121,7 @@ def give(page: Chrome, css: str, value: str) -> None:
 
 def stage_in_view(page: Chrome) -> None:
     """Where the page is long, the solid in view."""
-    page.execute_script("document.getElementById('solid-stage').scrollIntoView()")
+    page.execute_script("if (innerWidth < 860) document.getElementById('solid-stage').scrollIntoView()")
     time.sleep(0.6)
 
 
@@ -138,8 +138,7 @@ def readings(page: Chrome, screen: Screen) -> None:
     """A box, which may be seen in several ways."""
     draw(page, screen, "box", 99)
     until(page, "document.querySelectorAll('#readings canvas').length > 1")
-    page.execute_script("if (innerWidth < 860) document.getElementById('solid-stage').scrollIntoView()")
-    time.sleep(0.6)
+    stage_in_view(page)
 
 
 def sizes(page: Chrome, screen: Screen) -> None:
@@ -176,15 +175,16 @@ def marks(page: Chrome, screen: Screen) -> None:
 
 
 def wrong(page: Chrome, screen: Screen) -> None:
-    """A picture of a box with lines that belong to no solid."""
+    """A picture of a box that lacks edges and has lines that belong to no solid."""
     start(page, screen)
     picture = Image.new("RGB", (640, 480), "white")
     pen = ImageDraw.Draw(picture)
     front = [(120, 180), (360, 180), (360, 400), (120, 400)]
     back = [(x + 130, y - 110) for x, y in front]
-    lines = [(f[k], f[(k + 1) % 4]) for f in (front, back) for k in range(4)] + list(zip(front, back, strict=True))
-    for line in [*lines, ((40, 60), (300, 330)), ((560, 440), (430, 200)), ((200, 440), (330, 250))]:
-        pen.line([*line[0], *line[1]], fill="#222", width=4)
+    edges = [(f[k], f[(k + 1) % 4]) for f in (front, back) for k in range(4)] + list(zip(front, back, strict=True))
+    foreign = [((40, 60), (300, 330)), ((560, 440), (330, 120)), ((200, 440), (460, 250)), ((40, 300), (600, 330))]
+    for (x0, y0), (x1, y1) in [e for k, e in enumerate(edges) if k not in (5, 6, 9)] + foreign:
+        pen.line([x0, y0, x1, y1], fill="#222", width=4)
     with tempfile.TemporaryDirectory() as folder:
         picture.save(Path(folder) / "sketch.png")
         page.find_element(By.ID, "file").send_keys(str(Path(folder) / "sketch.png"))
@@ -266,6 +266,18 @@ DARK = frozenset({"corners", "dark"})
 """States that are shown by night."""
 
 
+def few_colours(picture: Image.Image) -> Image.Image:
+    """The picture with a palette: its most frequent colours exactly, and such as come near to all others."""
+    pixels = np.asarray(picture.convert("RGB")).astype(int)
+    known, numbers, times = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
+    near = picture.convert("RGB").quantize(COLOURS, Image.Quantize.MAXCOVERAGE).getpalette() or []
+    palette = np.concatenate([known[np.argsort(-times)[:COLOURS]], np.reshape(near, (-1, 3))])[: 2 * COLOURS]
+    nearest = np.abs(known[:, None] - palette[None]).sum(axis=2).argmin(axis=1)
+    made = Image.fromarray(nearest[numbers].reshape(pixels.shape[:2]).astype(np.uint8), "P")
+    made.putpalette(palette.astype(np.uint8).tobytes())
+    return made
+
+
 def take_one(page: Chrome, address: str, state: str, screen: Screen, file: Path) -> None:
     """One state on one screen, from a fresh page."""
     media = {"features": [{"name": "prefers-color-scheme", "value": "dark" if state in DARK else "light"}]}
@@ -275,7 +287,7 @@ def take_one(page: Chrome, address: str, state: str, screen: Screen, file: Path)
     page.execute_async_script("const d = arguments[0], t = () => window.timings ? d() : setTimeout(t, 50); t()")
     STATES[state](page, screen)
     page.save_screenshot(str(file))
-    Image.open(file).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(file, optimize=True)
+    few_colours(Image.open(file)).save(file, optimize=True)
     print(file.name, f"{file.stat().st_size / 1000:.0f} kB", flush=True)
 
 

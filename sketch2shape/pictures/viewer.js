@@ -177,7 +177,8 @@ class SolidView {
       return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
     };
     const outline = (this.shape.contours || []).filter(([, , s, t]) => toward(s) !== toward(t));
-    const runs = [...this.shape.edges, ...outline].flatMap(([i, j]) => this.runs(points[i], points[j], depth, w, h));
+    const lines = [...[...this.shape.edges, ...outline].map(([i, j]) => [points[i], points[j]]), ...this.cutLines(w, h)];
+    const runs = lines.flatMap(([a, b]) => this.runs(a, b, depth, w, h));
     const pen = this.context;
     pen.lineCap = "round";
     for (const seen of [false, true]) {
@@ -194,6 +195,16 @@ class SolidView {
       pen.setLineDash(seen ? [] : [4 * ratio, 4 * ratio]);
       pen.stroke();
     }
+  }
+
+  /* the two ends of the line in which the section cuts each triangle */
+  cutLines(w, h) {
+    if (!this.section) return [];
+    const { axis, at } = this.section, level = this.low[axis] + at * (this.high[axis] - this.low[axis]), { vertices, triangles } = this.shape;
+    return triangles.map(t => t.flatMap((i, k) => {
+      const p = vertices[i], q = vertices[t[(k + 1) % 3]], from = p[axis] - level, to = q[axis] - level;
+      return (from < 0) === (to < 0) ? [] : [{ ...this.place(p.map((c, j) => c + (q[j] - c) * from / (from - to)), w, h), cut: 0 }];
+    })).filter(ends => ends.length === 2);
   }
 
   runs(a, b, depth, w, h) {

@@ -15,6 +15,7 @@ from .browsing import (
     draw_beginning,
     draw_box,
     draw_line,
+    draw_lines,
     message,
     needs_browser,
     read,
@@ -95,6 +96,44 @@ def test_lines_are_drawn_with_the_keyboard_and_by_numbers(page: Chrome) -> None:
     page.find_element(By.CSS_SELECTOR, "#numbers-box .main").click()
     page.find_element(By.CSS_SELECTOR, "#numbers-box .close").click()
     assert strokes(page) == 2
+
+
+def stroke_points(page: Chrome, k: int) -> list[list[float]]:
+    return [list(p[:2]) for p in page.execute_script("return timings.state().strokes[arguments[0]].points", k)]
+
+
+def test_a_line_is_selected_moved_and_deleted_and_all_of_it_comes_back(page: Chrome) -> None:
+    draw_lines(page, [((-150, 80), (100, 140)), ((-150, 0), (100, 0))])
+    drawn = stroke_points(page, 0)
+    page.find_element(By.CSS_SELECTOR, "[data-pad=select]").click()
+    draw_line(page, (-25, 110), (-25, 60))
+    moved = stroke_points(page, 0)
+    assert moved == [[x, y - 50] for x, y in drawn]
+    ActionChains(page).send_keys(Keys.DELETE).perform()
+    assert strokes(page) == 1
+    for _ in range(2):
+        page.find_element(By.ID, "undo").click()
+    assert stroke_points(page, 0) == drawn
+    page.find_element(By.ID, "redo").click()
+    assert stroke_points(page, 0) == moved
+
+
+def test_the_eraser_takes_all_that_it_crosses_however_fast(page: Chrome) -> None:
+    draw_lines(page, [((-150, 40 * k), (100, 40 * k)) for k in range(-2, 3)])
+    page.find_element(By.CSS_SELECTOR, "[data-pad=erase]").click()
+    draw_line(page, (-20, -50), (-20, 120))
+    assert strokes(page) == 1
+    page.find_element(By.ID, "undo").click()
+    assert strokes(page) == 5
+
+
+def test_shift_keeps_to_an_axis(page: Chrome) -> None:
+    page.find_element(By.ID, "draw").click()
+    ActionChains(page).key_down(Keys.SHIFT).perform()
+    draw_line(page, (-150, 0), (100, 60))
+    ActionChains(page).key_up(Keys.SHIFT).perform()
+    (_, y1), (_, y2) = stroke_points(page, 0)
+    assert y1 == pytest.approx(y2)
 
 
 def test_escape_cancels_a_stroke(page: Chrome) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from selenium.webdriver import ActionChains, Chrome
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 from .browsing import needs_browser, painted, read, upload, wait
 
@@ -87,3 +88,36 @@ def test_two_corners_are_measured_and_a_cut_is_moved(shown: Chrome) -> None:
         "const c = document.getElementById('cut-at'); c.value = 80; c.dispatchEvent(new Event('input'))"
     )
     assert abs(solid(shown, "section.at") - at) == pytest.approx(0.3)
+
+
+def test_a_size_typed_badly_on_the_solid_is_told_beside_it(shown: Chrome) -> None:
+    shown.find_element(By.CSS_SELECTOR, "#dimensions [data-size=depth]").click()
+    shown.switch_to.active_element.send_keys("sixty", Keys.ENTER)
+    assert "Not a length" in read(shown, "#why-not")
+    shown.switch_to.active_element.send_keys("5")
+    assert read(shown, "#why-not") == ""
+    shown.switch_to.active_element.send_keys(Keys.ENTER, Keys.ESCAPE)
+    wait(lambda: not shown.find_elements(By.ID, "why-not"))
+    assert read(shown, "#error-depth") == ""
+    assert [line for line in shown.get_log("browser") if line["level"] == "SEVERE"] == []
+
+
+def test_the_standard_views_and_the_cube_turn_the_solid(shown: Chrome) -> None:
+    less_motion(shown, "reduce")
+    try:
+        for name, view in (("front", (0, 0)), ("top", (0, 90)), ("side", (90, 0))):
+            shown.find_element(By.CSS_SELECTOR, f"[data-view={name}]").click()
+            wait(lambda view=view: (solid(shown, "yaw"), solid(shown, "pitch")) == view)
+        shown.find_element(By.CSS_SELECTOR, "[data-view=home]").click()
+        painted(shown)
+        ActionChains(shown).move_to_element_with_offset(shown.find_element(By.ID, "cube"), -8, 8).click().perform()
+        wait(lambda: (solid(shown, "yaw"), solid(shown, "pitch")) == (0, 0))
+    finally:
+        less_motion(shown, "")
+
+
+def test_the_cut_is_outlined(shown: Chrome) -> None:
+    lines = "return timings.solid().cutLines(300, 300).length"
+    assert shown.execute_script(lines) == 0
+    shown.find_element(By.ID, "cut").click()
+    assert shown.execute_script(lines) == 8  # each of the four sides is two triangles

@@ -94,5 +94,5 @@ Object.assign(editor.on, {
   },
   choose: name => { if (name.object !== undefined && name.object !== work.selected) { work.selected = name.object; settings(); } },
 });
-stage.on.size = (name, text) => typed(name, text, true);
+Object.assign(stage.on, { size: (name, text) => typed(name, text, true), left: settings });
 readings.on.take = number => set(o => { o.reading = number; });

@@ -4,6 +4,8 @@ import { say } from "./words.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const SPOT = 6, HALO = 15, SNAP = 10;  // screen pixels
+/* where the sheet is narrower than this, the buttons at its foot would hide too much of it, screen pixels */
+const NARROW = 480, BUTTONS = 54;
 
 function element(kind, attributes, parent) {
   const made = document.createElementNS(SVG, kind);
@@ -52,7 +54,13 @@ export class Editor {
   }
 
   /* ---- view */
-  fit() { this.box = [this.x - 0.5 - this.width * 0.03, this.y - 0.5 - this.height * 0.03, this.width * 1.06, this.height * 1.06]; this.paint(); }
+  /* all of the sheet, above the buttons where there is little room */
+  fit() {
+    const { width, height } = this.svg.getBoundingClientRect(), [w, h] = [this.width * 1.06, this.height * 1.06];
+    const low = width && width < NARROW ? BUTTONS / Math.max(height - BUTTONS, 1) * Math.max(h, w * (height - BUTTONS) / width) : 0;
+    this.box = [this.x - 0.5 - this.width * 0.03, this.y - 0.5 - this.height * 0.03, w, h + low];
+    this.paint();
+  }
 
   zoom(factor, at) {
     const [x, y, w, h] = this.box;

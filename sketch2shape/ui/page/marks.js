@@ -74,4 +74,8 @@ export function label(box, marks, place, join) {
     labels.push(button);
   }
   box.replaceChildren(...labels);
+  for (const e of labels.filter(e => e.tagName === "SPAN")) {  // all of its words are in view
+    const half = e.offsetWidth / 2, x = parseFloat(e.style.left);
+    e.style.left = `${Math.max(half + 4, Math.min(box.clientWidth - half - 4, x))}px`;
+  }
 }

@@ -12,6 +12,8 @@ const PALM = 55, AFTER_PEN = 20000;
 const PINCH_MS = 250, PINCH_WAY = 14;
 /* grid cell, sheet units; margin round what is drawn */
 const CELL = 24, MARGIN = 28;
+/* where the sheet is narrower than this, the buttons at its foot would hide too much of what is drawn, CSS pixels */
+const NARROW = 480, BUTTONS = 54;
 const LEAST_ZOOM = 0.2, MOST_ZOOM = 8;
 
 export class Pad {
@@ -114,9 +116,9 @@ export class Pad {
   fit() {
     if (!this.strokes.length) this.view = { x: 0, y: 0, s: 1 };
     else {
-      const { x, y, width, height } = this.frame(), box = this.box();
-      const s = Math.min(MOST_ZOOM, Math.max(LEAST_ZOOM, Math.min(box.width / width, box.height / height, 2)));
-      this.view = { s, x: x - (box.width / s - width) / 2, y: y - (box.height / s - height) / 2 };
+      const { x, y, width, height } = this.frame(), box = this.box(), tall = box.height - (box.width < NARROW ? BUTTONS : 0);
+      const s = Math.min(MOST_ZOOM, Math.max(LEAST_ZOOM, Math.min(box.width / width, tall / height, 2)));
+      this.view = { s, x: x - (box.width / s - width) / 2, y: y - (tall / s - height) / 2 };
     }
     this.paint();
   }
@@ -252,9 +254,14 @@ export class Pad {
   }
 
   /* ---- erase and select */
+  /* all that the way from the last place to this one touches: a fast hand is told of few places */
   rub(e) {
-    const k = strokeAt(this.at(e), this.strokes, this.reachOf(e).snap * 0.7 * this.unit);
-    if (k >= 0) this.strokes = this.strokes.filter((_, j) => j !== k);
+    const near = this.reachOf(e).snap * 0.7 * this.unit, to = this.at(e), from = this.grip.at || to, steps = Math.ceil(gap(from, to) / near) || 1;
+    for (let t = 1; t <= steps; t++) {
+      const k = strokeAt([0, 1].map(c => from[c] + (to[c] - from[c]) * t / steps), this.strokes, near);
+      if (k >= 0) this.strokes = this.strokes.filter((_, j) => j !== k);
+    }
+    this.grip.at = to;
   }
 
   take(e, at) {

@@ -23,7 +23,7 @@ export function colours(element) {
 }
 
 export class Stage {
-  /* on: {size(name, text): a dimension was typed; gives false if it is no length} */
+  /* on: {size(name, text): a dimension was typed; gives false if it is no length; left(name): what was typed is not meant} */
   constructor(on) {
     this.on = on;
     this.view = new SolidView($("solid"), NOTHING);
@@ -84,16 +84,22 @@ export class Stage {
     const input = Object.assign(document.createElement("input"), { type: "text", inputMode: "decimal", value });
     input.dataset.size = name;
     input.setAttribute("aria-label", say(name));
-    input.style.left = button.style.left;
-    input.style.top = button.style.top;
+    const why = Object.assign(document.createElement("small"), { id: "why-not" });
+    why.setAttribute("role", "alert");
+    input.setAttribute("aria-describedby", why.id);
+    for (const e of [input, why]) Object.assign(e.style, { left: button.style.left, top: button.style.top });
+    let over = false;  // what is taken off the page loses the focus, which is an end as well
     const end = keep => {
-      if (!input.isConnected) return;
+      if (over) return;
       if (keep && input.value !== value && this.on.size(name, input.value) === false) {
         input.setAttribute("aria-invalid", "true");
-        input.title = say("badNumber");
+        why.textContent = say("badNumber");
         return;
       }
+      over = true;
       input.remove();
+      why.remove();
+      if (!keep) this.on.left(name);
       this.labels();
       $("dimensions").querySelector(`[data-size=${name}]`)?.focus();
     };
@@ -102,8 +108,10 @@ export class Stage {
       if (e.key === "Enter") end(true);
       if (e.key === "Escape") end(false);
     });
+    input.addEventListener("input", () => { input.removeAttribute("aria-invalid"); why.textContent = ""; });
     input.addEventListener("blur", () => { if (input.getAttribute("aria-invalid") === "true") end(false); else end(true); });
-    button.replaceWith(input);
+    why.classList.toggle("above", parseFloat(button.style.top) > this.view.canvas.clientHeight - 48);
+    button.replaceWith(input, why);
     input.focus();
     input.select();
   }
@@ -126,10 +134,11 @@ export class Stage {
 
   painted() {
     const box = this.view.canvas.getBoundingClientRect(), taken = [];
-    for (const e of $("dimensions").children) {
+    const floor = box.height - (this.view.section ? 56 : 20);
+    for (const e of $("dimensions").querySelectorAll("[data-size]")) {
       const { p, q, centre, out } = this.edgeFor(e.dataset.size), length = Math.hypot(...out) || 1, d = out.map(c => c / length);
       const at = [centre[0] + 34 * d[0], centre[1] + 24 * d[1]];
-      const place = [Math.max(44, Math.min(box.width - 44, at[0])), Math.max(18, Math.min(box.height - 66, at[1]))];
+      const place = [Math.max(44, Math.min(box.width - 44, at[0])), Math.max(18, Math.min(floor, at[1]))];
       // of a solid that looks small the labels stand one below the other
       for (const other of taken) if (Math.abs(other[0] - place[0]) < e.offsetWidth && Math.abs(other[1] - place[1]) < e.offsetHeight) place[1] = other[1] + e.offsetHeight + 2;
       taken.push(place);

@@ -32,6 +32,8 @@ const ROUND = 0.08;
 const EQUAL = 0.12;
 /* lines nearly level or upright are made so within this part of the angle for parallels */
 const AXIS = 0.6;
+/* and short ones within this part of the reach of the hand, but never within a larger angle, radians */
+const SLIPPED = 0.25, MOST_SLACK = 8 * Math.PI / 180;
 /* fewest strokes that can show a solid: of a wedge or a tetrahedron the edges in view; of a cone its base and two sides */
 const FEWEST = 5, FEWEST_ROUND = 3;
 
@@ -150,11 +152,15 @@ export function locked(a, b, grid = null) {
 }
 
 /* b moved a little so that a-b runs along the straight stroke it nearly runs along, and is as long if nearly so; or
-   level or upright if no stroke is near */
-export function aligned(a, b, strokes, reach) {
+   level or upright if it is nearer to that, or no stroke is near */
+export function aligned(a, b, strokes, reach, unit = 1) {
   const d = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(...d);
   if (!length) return b;
-  let best = null;
+  const level = Math.round(Math.atan2(d[1], d[0]) / (Math.PI / 2)) * Math.PI / 2, axis = turned([length, 0], level);
+  // the ends of a short line are missed by as much as those of a long one
+  const slack = Math.min(MOST_SLACK, Math.max(AXIS * reach.angle, SLIPPED * reach.snap * unit / length));
+  const off = between(d, axis);
+  let best = off < slack ? { cost: off, v: axis, alike: true } : null;
   for (const stroke of strokes.filter(isStraight)) {
     const [p, q] = stroke.points, v = [q[0] - p[0], q[1] - p[1]], angle = between(d, v);
     const alike = Math.abs(Math.hypot(...v) / length - 1) < EQUAL;
@@ -162,11 +168,7 @@ export function aligned(a, b, strokes, reach) {
     const cost = angle * (alike ? 0.5 : 1);
     if (angle < reach.angle && (!best || cost < best.cost)) best = { cost, v, alike };
   }
-  if (!best) {
-    const level = Math.round(Math.atan2(d[1], d[0]) / (Math.PI / 2)) * Math.PI / 2, u = turned([1, 0], level);
-    if (between(d, u) > AXIS * reach.angle) return b;
-    return [a[0] + u[0] * length, a[1] + u[1] * length];
-  }
+  if (!best) return b;
   const sign = d[0] * best.v[0] + d[1] * best.v[1] < 0 ? -1 : 1, long = Math.hypot(...best.v);
   const size = sign * (best.alike ? 1 : length / long);
   return [a[0] + best.v[0] * size, a[1] + best.v[1] * size];
@@ -185,8 +187,8 @@ export function settled(line, strokes, { reach: hand, unit, grid = null, lock = 
   const rim = lock ? null : onRims(line, strokes, { reach: hand, unit }, [from, to]);
   if (rim) return { points: rim, kinds: [from.kind || "line", to.kind || "line"] };
   if (lock && to.kind !== "end") b = wanted;
-  else if (to.kind === "end" && from.kind !== "end" && from.kind !== "grid") a = aligned(b, a, strokes, reach);
-  else if (!["end", "grid", "line"].includes(to.kind)) b = aligned(a, b, strokes, reach);
+  else if (to.kind === "end" && from.kind !== "end" && from.kind !== "grid") a = aligned(b, a, strokes, reach, unit);
+  else if (!["end", "grid", "line"].includes(to.kind)) b = aligned(a, b, strokes, reach, unit);
   // what alignment brought near an end belongs to that end
   const near = snapped(b, strokes, { ...reach, snap: reach.snap / 2 }, unit, null, [a, ...taken]);
   if (!lock && near.kind === "end") b = near.point;
@@ -198,7 +200,7 @@ function onRims(line, strokes, options, ends) {
   const fixed = e => e.kind === "end" || e.kind === "grid", held = ends.map(e => fixed(e) ? e.point : null);
   const found = touching(line, strokes, options, held), free = ends.findIndex(e => !e.kind);
   if (!found || free < 0) return found;
-  const still = found[1 - free], moved = aligned(still, found[free], strokes, options.reach);
+  const still = found[1 - free], moved = aligned(still, found[free], strokes, options.reach, options.unit);
   return touching(free ? [still, moved] : [moved, still], strokes, options, held);
 }
 
