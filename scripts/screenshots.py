@@ -31,14 +31,14 @@ from sketch2shape.ui.examples import example_png  # noqa: E402
 #: name in the file -> screen
 SCREENS = {
     "desktop": Screen("", 1366, 768, False, 2.0),
-    "tablet": Screen("", 820, 1180, True, 2.0),
+    "tablet": Screen("", 820, 1180, True, 1.5),
     "phone": Screen("", 360, 640, True, 1.0),
-    "zoomed": Screen("", 683, 384, False, 2.0),
+    "zoomed": Screen("", 683, 384, False, 1.0),
 }
 """The last is the laptop's at 200 %."""
 ZOOMED = frozenset({"start", "drawn", "found", "take"})
 """States that are shown at 200 % too."""
-COLOURS = 128
+COLOURS = 64
 """Colours of a screenshot kept as they are, the most frequent ones, and again as many near all others: small files."""
 
 
@@ -73,7 +73,7 @@ def start(page: Chrome, _screen: Screen) -> None:
 
 def draw(page: Chrome, screen: Screen, name: str, count: int) -> None:
     """The first strokes of a solid, by a steady hand."""
-    click(page, "#start-draw")
+    page.find_element(By.ID, "start-draw").click()
     time.sleep(0.3)
     box = "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]"
     x, y, width, height = page.execute_script(box)
@@ -158,7 +158,7 @@ def sizes(page: Chrome, screen: Screen) -> None:
 
 def marks(page: Chrome, screen: Screen) -> None:
     """A house with an edge left out, a line that belongs to no solid and two that do not meet."""
-    click(page, "#start-draw")
+    page.find_element(By.ID, "start-draw").click()
     time.sleep(0.3)
     box = "const r = document.getElementById('pad').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]"
     x, y, width, height = page.execute_script(box)
@@ -204,7 +204,7 @@ def strip(page: Chrome, screen: Screen) -> None:
         page.find_element(By.ID, "folder").send_keys(str(sheets))
         looked = "const s = document.getElementById('strip').textContent; return !s.includes('waiting') && s"
         until(page, f"(() => {{ {looked} }})()")
-    click(page, "#strip li:nth-child(3) button")
+    click(page, "#strip li:nth-child(2) button")
     time.sleep(1)
     page.execute_script("document.getElementById('strip').scrollIntoView({block: 'end'})")
 

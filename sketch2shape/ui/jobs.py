@@ -23,6 +23,7 @@ _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
 _MOST_LEFT = 40  # strokes that are told to fit nothing
 _MOST_SIDE = 40_000  # of a picture that corrections claim to belong to
+_EVEN = 0.5  # confidence below which an answer is rather wrong: the page shows it as a guess
 
 
 def warm_up() -> None:
@@ -71,19 +72,23 @@ def reconstruct_sketch(data: Any) -> dict[str, Any]:
 
 
 def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:
-    """The answer; or the best guess, why it is none, and the strokes that it leaves out."""
+    """The answer; or the best guess, why it is no more, and the strokes that it leaves out."""
     from sketch2shape.evidence import unexplained_strokes
     from sketch2shape.ink import find_ink
     from sketch2shape.pipeline import reconstruct
 
     try:
-        return reconstruct(picture), None
+        answer = reconstruct(picture)
     except NoObjectError as error:
         guess = error.guess or Answer((), (), picture)
-        left = (
-            unexplained_strokes(find_ink(picture), guess.objects)[:_MOST_LEFT] if guess.objects else np.zeros((0, 2, 2))
-        )
-        return guess, {"error": error.message, "advice": error.advice, "left": [rounded(ends) for ends in left]}
+        told = error.message, error.advice
+    else:
+        sure = min(answer.confidences)
+        if sure >= _EVEN:
+            return answer, None
+        guess, told = answer, (f"no likely solid explains it (confidence {sure:.2f})", "to put its corners right")
+    left = unexplained_strokes(find_ink(picture), guess.objects)[:_MOST_LEFT] if guess.objects else np.zeros((0, 2, 2))
+    return guess, {"error": told[0], "advice": told[1], "left": [rounded(ends) for ends in left]}
 
 
 def _on_sheet(obj: TwoFaceObject, picture: Picture) -> TwoFaceObject:

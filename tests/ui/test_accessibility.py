@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import importlib.util
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from selenium.webdriver import Chrome
+from selenium.webdriver.common.by import By
 
-from .browsing import draw_beginning, draw_box, message, needs_browser, painted, read, volume, wait
+from sketch2shape.ui.examples import example_png
+
+from .browsing import blank_page, draw_beginning, draw_box, message, needs_browser, painted, read, volume, wait
 
 _FOUND = importlib.util.find_spec("axe_core_python")
 pytestmark = [
@@ -115,6 +119,27 @@ def guessed(page: Chrome) -> None:
     )
 
 
+def badly_typed(page: Chrome) -> None:
+    drawn(page)
+    click(page, "#dimensions [data-size=depth]")
+    page.execute_script(
+        "const f = document.querySelector('#dimensions input'); f.value = 'sixty';"
+        "f.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'}))"
+    )
+    assert read(page, "#why-not")
+
+
+def folder(page: Chrome) -> None:
+    start(page)
+    with tempfile.TemporaryDirectory() as place:
+        sheets = Path(place) / "sheets"
+        sheets.mkdir()
+        sheets.joinpath("a.png").write_bytes(example_png("wireframe"))
+        blank_page(sheets / "b.png", 80, 80)
+        page.find_element(By.ID, "folder").send_keys(str(sheets))
+        wait(lambda: read(page, "#strip").count(":") == 2 and "waiting" not in read(page, "#strip"))
+
+
 STATES: dict[str, Callable[[Chrome], None]] = {
     "start": start,
     "drawn": drawn,
@@ -127,6 +152,8 @@ STATES: dict[str, Callable[[Chrome], None]] = {
     "link": opened("#share", drawn),
     "numbers": opened("#numbers", drawn),
     "question": opened("#draw", drawn),
+    "a size typed badly": badly_typed,
+    "folder": folder,
     "measuring and cut": opened("#cut", opened("#measure", drawn)),
 }
 

@@ -1,12 +1,15 @@
 import base64
 import io
 import re
+from dataclasses import replace
 from typing import Any
 
 import pytest
 import trimesh
 from starlette.testclient import TestClient
 
+from sketch2shape.model import Answer, Picture
+from sketch2shape.pipeline import reconstruct
 from sketch2shape.ui.app import PAGE_MODULES
 from sketch2shape.ui.examples import EXAMPLES, example_png
 from sketch2shape.writing.formats import FORMATS
@@ -73,6 +76,20 @@ def test_a_photo_of_a_tilted_page_is_the_same_solid_when_the_page_asks_again(app
     bare = {k: told[k] for k in ("f1", "f2", "holes")}
     flat = app.post("/api/lift", json={**sheet, "objects": [bare]}).json()
     assert flat["facts"][0]["size"] != pytest.approx(found["facts"][0]["size"], rel=0.01)
+
+
+def test_an_answer_that_is_rather_wrong_is_shown_as_a_guess(
+    app: TestClient, box_png: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unsure(picture: Picture) -> Answer:
+        answer = reconstruct(picture)
+        return replace(answer, objects=tuple(replace(obj, confidence=0.3) for obj in answer.objects))
+
+    monkeypatch.setattr("sketch2shape.pipeline.reconstruct", unsure)
+    found = app.post("/api/reconstruct", content=box_png, headers=PNG).json()
+    assert len(found["objects"]) == 1
+    assert "0.30" in found["problem"]["error"]
+    assert found["problem"]["left"] == []
 
 
 def test_strokes_that_show_no_solid_give_the_best_guess_or_nothing(app: TestClient) -> None:

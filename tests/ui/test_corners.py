@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ from .browsing import (
     drag,
     message,
     needs_browser,
+    painted,
     place,
     press,
     upload,
@@ -92,6 +94,29 @@ def test_an_object_is_traced_where_none_was_found(page: Chrome, tmp_path: Path) 
         ActionChains(page).move_to_element_with_offset(editor, x, y).click().perform()
     wait(lambda: volume(page) > 0)
     assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+
+
+def test_an_object_is_traced_by_the_keyboard(page: Chrome, tmp_path: Path) -> None:
+    page.find_element(By.ID, "file").send_keys(str(blank_page(tmp_path / "keys.png")))
+    wait(lambda: "Trace it by hand" in message(page))
+    page.execute_script("document.getElementById('editor').focus()")
+    right, left, up, down = Keys.ARROW_RIGHT, Keys.ARROW_LEFT, Keys.ARROW_UP, Keys.ARROW_DOWN
+    for way in (right, left * 8, down * 6, right * 8, up * 6, right * 4 + up * 3):
+        ActionChains(page).send_keys(way + Keys.ENTER).perform()
+    wait(lambda: volume(page) > 0)
+    assert len(page.find_elements(By.CSS_SELECTOR, "g.vertex")) == 8
+
+
+def test_vertices_are_added_by_the_keyboard_one_after_the_other(page: Chrome, tmp_path: Path) -> None:
+    page.find_element(By.ID, "file").send_keys(str(blank_page(tmp_path / "more.png")))
+    wait(lambda: "Trace it by hand" in message(page))
+    page.find_element(By.CSS_SELECTOR, "[data-tool=add]").click()
+    page.execute_script("document.getElementById('editor').focus()")
+    for _ in range(3):
+        ActionChains(page).send_keys(Keys.ARROW_RIGHT * 4 + Keys.ENTER).perform()
+        painted(page)
+    places = page.execute_script("return timings.state().loose.map(v => v.x)")
+    assert [b - a for a, b in pairwise(places)] == [40, 40]
 
 
 def test_single_vertices_are_told_apart_and_connected(page: Chrome, tmp_path: Path) -> None:

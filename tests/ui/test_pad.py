@@ -118,6 +118,19 @@ def test_a_line_is_selected_moved_and_deleted_and_all_of_it_comes_back(page: Chr
     assert stroke_points(page, 0) == moved
 
 
+def test_lines_are_chosen_moved_and_deleted_by_the_keyboard(page: Chrome) -> None:
+    draw_lines(page, [((-150, 80), (100, 140)), ((-150, 0), (100, 0))])
+    (x, y), _ = stroke_points(page, 1)
+    pad = page.find_element(By.ID, "pad")
+    pad.send_keys("n", "n")
+    assert read(page, "#hint").startswith("Line 2 of 2")
+    pad.send_keys(Keys.ARROW_RIGHT)
+    assert stroke_points(page, 1)[0] == [x + 10, y]
+    pad.send_keys("b", Keys.DELETE)
+    assert strokes(page) == 1
+    assert stroke_points(page, 0)[0] == [x + 10, y]
+
+
 def test_the_eraser_takes_all_that_it_crosses_however_fast(page: Chrome) -> None:
     draw_lines(page, [((-150, 40 * k), (100, 40 * k)) for k in range(-2, 3)])
     page.find_element(By.CSS_SELECTOR, "[data-pad=erase]").click()

@@ -90,6 +90,16 @@ def test_two_corners_are_measured_and_a_cut_is_moved(shown: Chrome) -> None:
     assert abs(solid(shown, "section.at") - at) == pytest.approx(0.3)
 
 
+def test_corners_are_measured_by_the_keyboard(shown: Chrome) -> None:
+    shown.find_element(By.ID, "measure").click()
+    shown.find_element(By.ID, "solid").send_keys("n", Keys.ENTER, "n")
+    a, b = (np.array(v) for v in solid(shown, "shape.vertices")[:2])
+    assert read(shown, "#measured").startswith(f"{np.linalg.norm(a - b):.0f} between")
+    shown.find_element(By.ID, "solid").send_keys("n", Keys.ENTER)
+    c = np.array(solid(shown, "shape.vertices")[2])
+    assert read(shown, "#measured").startswith(f"{np.linalg.norm(a - c):.0f} between")
+
+
 def test_a_size_typed_badly_on_the_solid_is_told_beside_it(shown: Chrome) -> None:
     shown.find_element(By.CSS_SELECTOR, "#dimensions [data-size=depth]").click()
     shown.switch_to.active_element.send_keys("sixty", Keys.ENTER)

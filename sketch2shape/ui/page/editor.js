@@ -33,6 +33,8 @@ export class Editor {
     svg.addEventListener("dblclick", () => this.closeTrace());
     svg.addEventListener("wheel", e => { if (!e.ctrlKey && !e.metaKey) return; e.preventDefault(); this.zoom(Math.exp(e.deltaY / 500), this.at(e)); }, { passive: false });
     svg.addEventListener("keydown", e => this.key(e));
+    // painted once the focus is where it goes: it would be lost with what is painted anew
+    svg.addEventListener("blur", () => { setTimeout(() => { if (this.cursor && document.activeElement !== svg) { this.cursor = null; this.paint(); } }); });
     svg.addEventListener("focusin", e => this.choose(this.nameOf(e.target)));
     new ResizeObserver(() => this.paint()).observe(svg);
   }
@@ -40,7 +42,7 @@ export class Editor {
   /* sheet: {picture: address, strokes, x, y, width, height}: what lies under the vertices, and where; left: lines that fit
      nothing, to be marked */
   open(sheet, state, corners) {
-    Object.assign(this, { picture: "", strokes: [], left: [], x: 0, y: 0, ...sheet, state, corners, chosen: null, trace: null, drag: null });
+    Object.assign(this, { picture: "", strokes: [], left: [], x: 0, y: 0, ...sheet, state, corners, chosen: null, trace: null, drag: null, cursor: null });
     this.fit();
   }
 
@@ -103,6 +105,10 @@ export class Editor {
       ring[`f${face}`].forEach((_, index) => this.paintVertex({ object: k, ring: r, face, index }, page)))));
     this.state.loose.forEach((_, k) => this.paintVertex({ loose: k }, page));
     this.paintTrace(page);
+    if (this.cursor) {
+      const [x, y] = this.cursor, far = HALO * this.unit;
+      element("path", { d: `M${x - far} ${y}h${2 * far}M${x} ${y - far}v${2 * far}`, class: "cursor" }, page);
+    }
     this.svg.replaceChildren(page);
     if (focused) this.svg.querySelector(`[data-name='${JSON.stringify(focused)}']`)?.focus({ preventScroll: true });
   }
@@ -149,9 +155,9 @@ export class Editor {
     return vertex && this.svg.contains(vertex) ? JSON.parse(vertex.dataset.name) : null;
   }
 
-  /* the vertex nearest to the pointer, within reach */
-  reach(e) {
-    const p = this.at(e), names = [...this.svg.querySelectorAll("g.vertex")].map(v => JSON.parse(v.dataset.name));
+  /* the vertex nearest to a place, within reach */
+  reach(p) {
+    const names = [...this.svg.querySelectorAll("g.vertex")].map(v => JSON.parse(v.dataset.name));
     const gaps = names.map(n => { const q = shape.where(this.state, n); return [Math.hypot(q[0] - p[0], q[1] - p[1]), n]; });
     const best = gaps.sort((a, b) => a[0] - b[0])[0];
     return best && best[0] <= HALO * this.unit ? best[1] : null;
@@ -170,14 +176,20 @@ export class Editor {
     this.fingers.set(e.pointerId, [e.clientX, e.clientY]);
     this.svg.setPointerCapture(e.pointerId);
     if (this.fingers.size > 1) { this.drag = null; this.pinch = null; return; }
-    const name = this.reach(e), at = this.at(e);
+    const at = this.at(e), name = this.reach(at);
     if (name) { e.preventDefault(); this.focus(name); }
+    if (!this.act(at, name)) this.drag = name ? { name, start: this.state, grip: shape.where(this.state, name).map((c, k) => c - at[k]) } : { pan: at };
+  }
+
+  /* what the tool does at a place, where there may be a vertex; false if it does nothing there */
+  act(at, name) {
     if (this.tool === "front") { const next = shape.fronted(this.state, at); if (next !== this.state) this.commit(next); }
     else if (this.tool === "trace") this.traceClick(at);
     else if (this.tool === "add" && !name) this.addAt(at);
     else if (this.tool === "delete" && name) this.remove(name);
     else if (this.tool === "face" && name) this.commit(shape.reassigned(this.state, name));
-    else this.drag = name ? { name, start: this.state, grip: shape.where(this.state, name).map((c, k) => c - at[k]) } : { pan: at };
+    else return false;
+    return true;
   }
 
   move(e) {
@@ -276,11 +288,10 @@ export class Editor {
   /* ---- keyboard */
   key(e) {
     if (e.key === "Escape") { this.cancel(); return; }
-    if (e.key === "Enter" && this.trace) { this.closeTrace(); return; }
-    const name = this.nameOf(e.target);
-    if (!name || e.ctrlKey || e.metaKey || e.altKey) return;
-    const step = e.shiftKey ? 10 : 1;
+    if (e.ctrlKey || e.metaKey || e.altKey) return;
+    const name = this.nameOf(e.target), step = e.shiftKey === Boolean(name) ? 10 : 1;
     const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] };
+    if (!name) { this.steer(e, moves[e.key]); return; }
     if (moves[e.key]) {
       const to = shape.where(this.state, name).map((c, k) => c + moves[e.key][k]);
       this.commit(shape.moved(this.state, name, to, this.together));
@@ -289,5 +300,20 @@ export class Editor {
     else return;
     e.preventDefault();
     e.stopPropagation();
+  }
+
+  /* a place is moved by the arrow keys where no vertex has the focus; Enter does there what a click would */
+  steer(e, move) {
+    if (move) {
+      const from = this.cursor || [0, 1].map(c => Math.round(this.box[c] + this.box[c + 2] / 2));
+      this.cursor = [from[0] + move[0], from[1] + move[1]];
+      if (this.trace) this.trace.pointer = this.snapped(this.cursor);
+      this.paint();
+      this.on.hint(say("pointAt", { x: this.cursor[0], y: this.cursor[1] }));
+    } else if (e.key === "Enter" && this.cursor) this.act(this.cursor, this.reach(this.cursor));
+    else if (e.key === "Enter" && this.trace) this.closeTrace();
+    else return;
+    if (this.cursor) this.svg.focus({ preventScroll: true });
+    e.preventDefault();
   }
 }

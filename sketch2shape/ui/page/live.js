@@ -1,4 +1,5 @@
-/* The solid follows the strokes, the newest first. A stroke along an edge of the solid in view changes nothing to be seen:
+/* The solid follows the strokes, the newest first. What they have begun is soon told and stands there until the search has come
+   to its end. A stroke along an edge of the solid in view changes nothing to be seen:
    that solid stays, and the whole search, which tells how sure it is, waits until the pen rests. */
 import { mayShow } from "./tidy.js";
 
@@ -10,8 +11,8 @@ const SLOW = 1500;
 const pause = ms => new Promise(done => setTimeout(done, ms));
 
 export class Live {
-  /* on: {ask(strokes, signal): gives what was found, show(found, isNewest()), none(strokes): too few of them, failed(error),
-     busy(is)} */
+  /* on: {ask(strokes, signal, first): gives what was found, early(strokes): gives what they have begun, which is soon told, or
+     null, show(found, isNewest()), none(strokes): too few of them, failed(error), busy(is)} */
   constructor(on) { Object.assign(this, { on, turn: 0, pending: 0, took: 0, waits: [], fits: false }); }
 
   get busy() { return this.pending > 0; }
@@ -34,13 +35,14 @@ export class Live {
       if (fits || this.took > SLOW) await pause(REST);
       if (!isNewest()) return;
       sign = setTimeout(() => { if (isNewest()) this.on.busy(true); }, SOON);
-      const asked = performance.now(), flight = this.flight = new AbortController();
-      const found = await this.on.ask(strokes, flight.signal);
+      const asked = performance.now(), flight = this.flight = new AbortController(), first = this.on.early(strokes);
+      const found = this.on.ask(strokes, flight.signal, first), soon = await Promise.race([first.catch(() => null), found]);
+      if (soon && isNewest()) { await this.on.show(soon, isNewest); this.stands(soon, begin, isNewest); }
+      const whole = await found;
       this.took = performance.now() - asked;
-      if (!isNewest()) return;
-      await this.on.show(found, isNewest);
-      if (!isNewest()) return;
-      if (!fits && found.objects.length) this.waits.push(performance.now() - begin);
+      if (!isNewest() || whole === soon) return;
+      await this.on.show(whole, isNewest);
+      this.stands(whole, begin, isNewest);
     } catch (error) {
       if (isNewest()) this.on.failed(error);
     } finally {
@@ -48,6 +50,13 @@ export class Live {
       this.pending--;
       if (isNewest()) this.on.busy(false);
     }
+  }
+
+  /* there is a solid of the newest strokes */
+  stands(found, begin, isNewest) {
+    if (!isNewest() || this.fits || !found.objects.length) return;
+    this.waits.push(performance.now() - begin);
+    this.fits = true;
   }
 
   /* what is on its way is not wanted any more */

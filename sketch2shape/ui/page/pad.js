@@ -299,6 +299,7 @@ export class Pad {
     const step = e.shiftKey ? 1 : 10, moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] };
     if (moves[e.key] && this.selected.size) this.commit(this.shifted(this.strokes, ...moves[e.key]));
     else if (moves[e.key]) this.steer(moves[e.key]);
+    else if (e.key === "n" || e.key === "b") this.choose(e.key === "n" ? 1 : -1);
     else if (e.key === "Enter") this.put();
     else if ((e.key === "Delete" || e.key === "Backspace") && this.selected.size) {
       const left = this.strokes.filter((_, k) => !this.selected.has(k));
@@ -307,6 +308,17 @@ export class Pad {
     } else if (e.key === "Escape" && this.cancel()) { /* it was cancelled */ }
     else return;
     e.preventDefault();
+  }
+
+  /* the next line, or the one before, is selected */
+  choose(way) {
+    const n = this.strokes.length, [last = way > 0 ? -1 : 0] = this.selected, k = (last + way + n) % n;
+    if (!n) return;
+    this.selected = new Set([k]);
+    this.cursor = null;
+    const [[x1, y1], [x2, y2]] = endsOf(this.strokes[k]).map(p => p.map(Math.round));
+    this.on.say(say("lineChosen", { n: k + 1, of: n, x1, y1, x2, y2 }));
+    this.paint();
   }
 
   steer([dx, dy]) {

@@ -7,13 +7,10 @@ import * as server from "./server.js";
 import * as shape from "./shape.js";
 import { correctionsNow, pad } from "./sheets.js";
 import { busy, chooseSoon, hint, showAnswer, showStages, tell, view } from "./showing.js";
-import { looseEnds } from "./tidy.js";
 import { BLANK, EMPTY, NAMES, NO_SOLID, SURE, amend, drawing, opened, step, work } from "./work.js";
 import { say } from "./words.js";
 
 const $ = id => document.getElementById(id);
-/* confidence below which a drawing with loose ends is rather what it has begun */
-const EVEN = 0.5;
 
 /* what the link of a drawing wishes of its objects, once they are found */
 let wished = [];
@@ -35,6 +32,7 @@ export function startSketch(strokes = [], wishes = []) {
 
 export const live = new Live({
   ask: found,
+  early,
   show: showLive,
   none: nothingYet,
   failed: error => tell(error.message, true),
@@ -51,10 +49,17 @@ export function follow(before = null) {
 }
 
 /* what the strokes are of; where that is no solid yet, what they have begun */
-async function found(strokes, signal) {
-  const answered = await server.sketch(strokes, signal), odds = Math.min(...answered.objects.map(o => o.confidence));
-  const open = answered.problem || (odds < EVEN && looseEnds(strokes, pad.unit).length > 0), start = open && begun(strokes, pad.unit);
-  if (!start) return answered;
+async function found(strokes, signal, first) {
+  const answered = await server.sketch(strokes, signal);
+  return answered.problem && (await first || await beginning(strokes)) || answered;
+}
+
+/* the same at once, where no sure solid is in view that would make place for a guess */
+async function early(strokes) { return work.answer.facts.length && !work.state.guess ? null : beginning(strokes); }
+
+async function beginning(strokes) {
+  const start = begun(strokes, pad.unit);
+  if (!start) return null;
   const { x, y, width, height } = pad.frame(), object = { ...shape.newObject(start.f1, start.f2), lines: start.lines };
   const solids = await server.lift(shape.corrections(shape.shifted({ ...EMPTY, objects: [object] }, -x, -y), width, height));
   return { ...solids, objects: [{ ...object, confidence: null }], problem: { error: say("begun"), left: [] } };

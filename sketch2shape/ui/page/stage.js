@@ -29,7 +29,7 @@ export class Stage {
     this.view = new SolidView($("solid"), NOTHING);
     this.view.painted = () => this.painted();
     this.fact = null;
-    this.picked = [];
+    Object.assign(this, { picked: [], next: -1 });
     this.cube = document.createElement("canvas");
     Object.assign(this.cube, { id: "cube", title: say("cube") });
     this.cube.setAttribute("role", "img");
@@ -223,15 +223,32 @@ export class Stage {
     this.view.draw();
   }
 
+  /* a corner is clicked; without a place measuring begins anew */
   rule(place) {
-    if (!place) { this.picked = []; this.view.ruler = null; $("measured").hidden = !this.measuring; $("measured").textContent = this.measuring ? say("measureFirst") : ""; return; }
-    const k = this.view.nearest(...place);
-    if (k < 0) return;
-    this.picked = this.picked.length === 2 ? [k] : [...this.picked, k];
-    const [a, b] = this.picked.map(j => this.form.vertices[j]);
+    const k = place ? this.view.nearest(...place) : -1;
+    if (k >= 0) { this.take(k); return; }
+    if (place) return;
+    Object.assign(this, { picked: [], next: -1 });
+    this.view.ruler = null;
+    $("measured").hidden = !this.measuring;
+    $("measured").textContent = this.measuring ? say("measureFirst") : "";
+  }
+
+  /* a corner is taken, the first or the second one; `only` shows it, as if it were */
+  take(k, only = false) {
+    const picked = this.picked.length === 2 ? [k] : [...this.picked, k], [a, b] = picked.map(j => this.form.vertices[j]);
+    if (!only) this.picked = picked;
     this.view.ruler = [a, b || a];
     $("measured").textContent = b ? say("measured", { d: measure(Math.hypot(...a.map((c, j) => c - b[j])), this.fact?.unit || "px") }) : say("measureFirst");
     this.view.draw();
+  }
+
+  /* corners by the keyboard: N for the next one, B for the one before, Enter takes it */
+  measureKey(e) {
+    const n = this.form?.vertices.length, way = { n: 1, b: -1 }[e.key];
+    if (!this.measuring || !n || e.ctrlKey || e.metaKey || e.altKey) return;
+    if (way) { this.next = (this.next + way + n) % n; this.take(this.next, true); }
+    else if (e.key === "Enter" && this.next >= 0) this.take(this.next);
   }
 
   /* side of the print bed in the solid's unit; 0 where none is shown or the solid has no real size */
@@ -300,6 +317,7 @@ export class Stage {
       const box = $("solid").getBoundingClientRect();
       if (this.measuring && pressed && Math.hypot(e.clientX - pressed[0], e.clientY - pressed[1]) < 6) this.rule([e.clientX - box.left, e.clientY - box.top]);
     });
+    $("solid").addEventListener("keydown", e => this.measureKey(e));
     $("solid").addEventListener("keyup", () => {  // keys of the renderer that buttons show as well
       $("wireframe").setAttribute("aria-pressed", this.view.lines);
       $("hidden-edges").setAttribute("aria-pressed", this.view.hidden);

@@ -6,11 +6,11 @@ import { areEdges } from "./marks.js";
 const lines = n => Array.from({ length: n }, (_, k) => ({ points: [[k, 0], [k, 9]] }));
 
 /* a search whose answers come when they are told to */
-function setting() {
+function setting(early = null) {
   const asked = [], shown = [], failed = [], signs = [];
   const live = new Live({
     ask: (strokes, signal) => new Promise((answer, fail) => asked.push({ strokes, signal, fail, answer: () => answer({ objects: [{}], of: strokes.length }) })),
-    show: async found => { shown.push(found.of); }, none: strokes => shown.push(-strokes.length), failed: e => failed.push(e), busy: is => signs.push(is),
+    early: async () => early, show: async found => { shown.push(found.of); }, none: strokes => shown.push(-strokes.length), failed: e => failed.push(e), busy: is => signs.push(is),
   });
   return { live, asked, shown, failed, signs };
 }
@@ -46,6 +46,25 @@ test("strokes that the solid has already are searched once the pen rests", async
   asked[0].answer();
   await settle(1);
   assert.deepEqual([shown, live.waits.length, live.busy], [[6], 1, false]);
+});
+
+test("what is begun is shown at once, and the search's answer after it", async () => {
+  const { live, asked, shown } = setting({ objects: [{}], of: "begun" });
+  live.follow(lines(6));
+  await settle(1);
+  assert.deepEqual([shown, live.waits.length, live.searching(), live.busy], [["begun"], 1, false, true]);
+  asked[0].answer();
+  await settle(1);
+  assert.deepEqual([shown, live.waits.length, live.busy], [["begun", 6], 1, false]);
+});
+
+test("what is begun is not shown once newer strokes are there", async () => {
+  const { live, asked, shown } = setting({ objects: [{}], of: "begun" });
+  live.follow(lines(6));
+  live.follow(lines(2));
+  asked[0].answer();
+  await settle(1);
+  assert.deepEqual(shown, [-2]);
 });
 
 test("what goes wrong is told, and a long wait shows a sign", async () => {

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { corrections, deleted, edgePoints, fromCorrections, fronted, inserted, moved, newObject, outline, shifted, swapped, withWishes } from "./shape.js";
+import { byHand, corrections, deleted, edgePoints, fromCorrections, fronted, inserted, moved, newObject, outline, shifted, swapped, withWishes } from "./shape.js";
 import { lengthOf, measure, shown } from "./sizes.js";
 
 const F1 = [[0, 100], [100, 100], [100, 200], [0, 200]], F2 = F1.map(([x, y]) => [x + 60, y - 40]);
@@ -104,4 +104,15 @@ test("whole ellipses and points are read", () => {
   const pyramid = fromCorrections({ objects: [{ f1: F1, f2: [[50, 0]] }] }, state(), "a.png", 9, 9);
   assert.deepEqual(pyramid.objects[0].f2, [[50, 0]]);
   assert.equal(deleted(pyramid, { object: 0, ring: 0, face: 2, index: 0 }), pyramid);
+});
+
+test("how an object is drawn goes with it, to and fro, until a hand moves its corners", () => {
+  const manner = { lines: "removed", noise: 2, f2_drawn: [true, true, true, false] }, objects = withWishes([{ f1: F1, f2: F2, holes: [], page: null, ...manner }], []);
+  const sent = corrections({ ...state(), objects }, 500, 400);
+  for (const [name, value] of Object.entries(manner)) assert.deepEqual(sent.objects[0][name], value);
+  assert.equal("page" in sent.objects[0], false);
+  const same = fromCorrections(sent, state(), "a.png", 500, 400).objects[0], double = fromCorrections(sent, state(), "a.png", 1000, 800).objects[0];
+  assert.deepEqual([same.lines, same.noise, double.noise], ["removed", 2, 4]);
+  const before = { ...state(), objects }, after = byHand(moved(before, { object: 0, ring: 0, face: 2, index: 3 }, [5, 5], false), before);
+  assert.deepEqual([after.objects[0].f2_drawn, after.objects[0].noise, byHand(before, before).objects[0].f2_drawn.length], [undefined, 2, 4]);
 });
