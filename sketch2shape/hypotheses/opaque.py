@@ -25,6 +25,8 @@ OF_A_UNION = 4
 """Maps that are tried for a union of regions."""
 PULL = 2.5
 """How far off its place, over the tolerance of the corners, the end of a rung may pull the back face's vertex."""
+SHARP = 0.3
+"""Half the angle of a corner, radians, up to which its two strokes run into one well before they meet."""
 MOVED = 1.0
 """Pixels by which a back face has to move to be another hypothesis."""
 
@@ -115,16 +117,16 @@ def caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterator[Ring
     short = 3.0 * pen + graph.tolerance / 2
     for region in regions:
         sharp = Region(sharpened(region.outline, short), tuple(sharpened(p, short) for p in region.islands))
-        yield from _from_region(graph, sharp)
+        yield from _from_region(graph, sharp, pen)
         if len(sharp.outline) != len(region.outline):
-            yield from _from_region(graph, region)
+            yield from _from_region(graph, region, pen)
 
 
 def united_caps(graph: CornerGraph, unions: Iterable[Region], pen: float) -> Iterator[Rings]:
     """Hypotheses from unions of regions, the likeliest maps of each; pen is the pen width in pixels."""
     short = 3.0 * pen + graph.tolerance / 2
     for region in unions:
-        yield from _from_region(graph, Region(sharpened(region.outline, short)), OF_A_UNION)
+        yield from _from_region(graph, Region(sharpened(region.outline, short)), pen, OF_A_UNION)
 
 
 def loose_caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterator[Rings]:
@@ -138,7 +140,7 @@ def loose_caps(graph: CornerGraph, regions: list[Region], pen: float) -> Iterato
             yield from _swept(ring, (), rungs_from_sides(ring, sides, reach), graph, 12)
 
 
-def _from_region(graph: CornerGraph, region: Region, most: int = 24) -> Iterator[Rings]:
+def _from_region(graph: CornerGraph, region: Region, pen: float, most: int = 24) -> Iterator[Rings]:
     reach = 1.2 * graph.tolerance + 2
     corner, ring = snap(region.outline, graph, reach)
     if not 3 <= len(ring) <= 64:
@@ -146,6 +148,29 @@ def _from_region(graph: CornerGraph, region: Region, most: int = 24) -> Iterator
     # a speck whose vertices all come to lie on one corner is no hole
     islands = tuple(p for p in (snap(q, graph, reach)[1] for q in region.islands) if len(p) >= 3)
     yield from _swept(ring, islands, rungs_of(corner, ring, graph), graph, most)
+    ahead = _with_tips(corner, ring, graph, pen)
+    if not np.array_equal(ahead, corner):
+        yield from _swept(graph.points[ahead], islands, rungs_of(ahead, graph.points[ahead], graph), graph, most)
+
+
+def _with_tips(corner: Ints, ring: Floats, graph: CornerGraph, pen: float) -> Ints:
+    """Corners of a ring of corners, the farthest in the tips of sharp ones: two strokes run into one before they meet.
+
+    How far before follows from the pen's width and the angle between them.
+    """
+    if (corner < 0).any():
+        return corner
+    tips = corner.copy()
+    before, after = (d / np.hypot(*d.T)[:, None] for d in (np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring))
+    half = 0.5 * np.arccos(np.clip((before * after).sum(axis=1), -1.0, 1.0))
+    for i in np.flatnonzero(half < SHARP):
+        out = -(before[i] + after[i]) / (2.0 * np.cos(half[i]))
+        way = graph.points - ring[i]
+        along, across = way @ out, np.abs(way[:, 0] * out[1] - way[:, 1] * out[0])
+        ahead = (across <= graph.tolerance) & (along > 0) & (along <= pen / np.sin(half[i])) & ~np.isin(np.arange(len(way)), tips)
+        if ahead.any():
+            tips[i] = np.where(ahead, along, -1.0).argmax()
+    return tips
 
 
 def _swept(ring: Floats, islands: tuple[Floats, ...], rungs: Rungs, graph: CornerGraph, most: int) -> Iterator[Rings]:

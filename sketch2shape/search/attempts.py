@@ -18,6 +18,7 @@ from sketch2shape.evidence import Evidence, Sheet, sheet_for
 from sketch2shape.geometry import thinned
 from sketch2shape.hypotheses import Rings, opaque, united, walked, wireframe
 from sketch2shape.ink import Group, is_ruled
+from sketch2shape.search.neighbours import climbed
 from sketch2shape.search.shortlist import ENOUGH, Judged, shortlist
 from sketch2shape.search.tolerances import (
     CLOSE,
@@ -231,6 +232,14 @@ def second_attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
     for look in looks:
         if look not in united:
             yield look.second(False)
+
+
+def climbed_attempts(group: Group, skeleton: Skeleton, known: list[Attempt]) -> Iterator[Attempt]:
+    """A third look, for drawings that no other has explained: what lies around the hypotheses of other attempts."""
+    for look in _looks(group, skeleton, iter(())):
+        own = [judged for a in known if a.number == look.number for judged in a.shortlist]
+        own.sort(key=lambda judged: -judged[1].score)
+        yield Attempt(look.number, look.traced, climbed(own, look.sheet, look.graph.points), look.sheet)
 
 
 def _early(looks: list[_Look]) -> list[_Look]:

@@ -8,8 +8,9 @@ second look, when the answer can be trusted.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -31,7 +32,7 @@ from sketch2shape.fit import EXACT, on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group
 from sketch2shape.model import TRUSTED, Floats
-from sketch2shape.search.attempts import GOOD, Attempt, attempts, is_sound, second_attempts
+from sketch2shape.search.attempts import GOOD, Attempt, attempts, climbed_attempts, is_sound, second_attempts
 from sketch2shape.search.exact import Verified
 from sketch2shape.search.tolerances import LEAST_INK, LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
 from sketch2shape.strokes import Skeleton, bridged, thin
@@ -124,11 +125,21 @@ def find(seen: Observed) -> Found | None:
 
     An answer that can be trusted needs no second look: of 106 such answers it changed two, none for the better.
     """
-    best = _told(_searched(attempts(seen.group, seen.skeleton), seen.view, None))
-    if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
-        return best
-    again = _searched(second_attempts(seen.group, seen.skeleton), seen.view, best)
-    return best if again is best else _told(again)
+    tried: list[Attempt] = []
+    best: Found | None = None
+    for look in (attempts, second_attempts, partial(climbed_attempts, known=tried)):
+        again = _searched(_noted(look(seen.group, seen.skeleton), tried), seen.view, best)
+        best = best if again is best else _told(again)
+        if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
+            break
+    return best
+
+
+def _noted(tries: Iterable[Attempt], tried: list[Attempt]) -> Iterator[Attempt]:
+    """The attempts, which are added to those tried as they are made."""
+    for attempt in tries:
+        tried.append(attempt)
+        yield attempt
 
 
 def _told(best: Found | None) -> Found | None:
@@ -185,8 +196,9 @@ def _best(found: list[Found]) -> Found | None:
     priced = [replace(f, energy=f.compared.energy(hand)) for f in found if f.compared is not None]
     best = priced[0]
     for other in priced[1:]:
-        # of those that cost alike, the one thought of first
-        if _total(other) < _total(best) - TIE:
+        # of those that cost alike, the one that is drawn better by far, or else that was thought of first
+        is_better = other.evidence.score > best.evidence.score + COMPARABLE
+        if _total(other) < _total(best) + (TIE if is_better else -TIE):
             best = other
     return best
 

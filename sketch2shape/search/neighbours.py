@@ -1,0 +1,133 @@
+"""Neighbours: hypotheses that differ from another by one vertex.
+
+A thick pen, a careless hand, a mark at a corner: the sources then put a vertex on the wrong corner, leave one out or
+add one. From a hypothesis that explains a part of the drawing the search climbs to better ones, a vertex at a time
+(steepest ascent; S. Russell, P. Norvig, "Artificial Intelligence", section on local search).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sketch2shape.evidence import Evidence, Sheet, judge_stack, most_possible
+from sketch2shape.hypotheses import Rings, Stack, split, stack, which_plausible
+from sketch2shape.model import Bools, Floats
+from sketch2shape.search.shortlist import Judged
+
+STARTS = 3
+"""Hypotheses from which the search climbs."""
+MOST_CLIMBED = 6
+"""Steps of a climb."""
+FARTHEST = 0.2
+"""Way of a vertex in one step, as a fraction of the drawing's size."""
+NEAREST = 6
+"""Corners that are tried for a vertex, the nearest."""
+VERTEX = 0.012
+"""Score that a vertex has to bring: simplification gives as much for one."""
+GAIN = 0.003
+"""Score that a step has to bring."""
+MOST_VERTICES = 16
+"""Vertices of a face, to which none is added."""
+SMALLEST, LARGEST = 0.4, 2.5
+"""Size of the back face over the front face's where its hidden vertices are placed."""
+MOVED = 1.0
+"""Pixels by which a vertex has to move to be elsewhere."""
+
+
+def climbed(known: list[Judged], sheet: Sheet, corners: Floats) -> list[Judged]:
+    """Better hypotheses than the best few of those known; corners (k, 2): where vertices may be, pixels."""
+    simple = [judged for judged in known if len(judged[0].sizes) == 1]
+    tops = [_climbed(start, sheet, corners) for start in simple[:STARTS] if len(corners)]
+    return sorted((top for top in tops if top is not None), key=_worth, reverse=True)
+
+
+def _climbed(best: Judged, sheet: Sheet, corners: Floats) -> Judged | None:
+    """The top of the climb from a hypothesis, if there is one."""
+    found = None
+    for _ in range(MOST_CLIMBED):
+        above = [_best_of(moves, sheet, _worth(best)) for moves in _neighbours(*best, corners, FARTHEST * sheet.size)]
+        higher = [judged for judged in above if judged is not None]
+        if not higher:
+            break
+        best = max(higher, key=_worth)
+        found = best
+    return found
+
+
+def _worth(judged: Judged) -> float:
+    return judged[1].score - VERTEX * len(judged[1].drawn)
+
+
+def _best_of(moves: Stack, sheet: Sheet, worth: float) -> Judged | None:
+    """The best of some hypotheses, if it is clearly worth more."""
+    least = worth + GAIN + VERTEX * sum(moves.sizes)
+    some = moves.some(np.flatnonzero(which_plausible(moves, 1.5 * sheet.pen)))
+    if not len(some):
+        return None
+    some = some.some(np.flatnonzero(most_possible(some, sheet) >= least))
+    if not len(some):
+        return None
+    judged = judge_stack(some, sheet)
+    k = max(range(len(judged)), key=lambda k: judged[k].score)
+    return (split(some.vertices[k], some.sizes), judged[k]) if judged[k].score >= least else None
+
+
+def _neighbours(rings: Rings, evidence: Evidence, corners: Floats, far: float) -> Iterator[Stack]:
+    """Hypotheses with a vertex elsewhere, one less, or one more."""
+    front, back, seen = rings.front[0], rings.back[0], evidence.drawn
+    n = len(front)
+    yield _moved(front, back, seen, corners, far)
+    if n > 3:
+        yield stack([Rings((np.delete(front, i, 0),), (np.delete(back, i, 0),)) for i in range(n)])
+    if n < MOST_VERTICES:
+        after = np.roll(np.arange(n), -1)
+        middle, half = (front + front[after]) / 2, np.hypot(*(front[after] - front).T) / 2
+        edge, corner = _near(middle, corners, np.maximum(1.5 * half, far))
+        way = (back + back[after] - front - front[after]) / 2
+        more = [
+            Rings((np.insert(front, i + 1, c, 0),), (np.insert(back, i + 1, c + way[i], 0),))
+            for i, c in zip(edge.tolist(), corners[corner], strict=True)
+        ]
+        if more:
+            yield stack(more)
+
+
+def _moved(front: Floats, back: Floats, seen: Bools, corners: Floats, far: float) -> Stack:
+    """Hypotheses with one vertex, or a connecting edge, elsewhere; hidden vertices follow."""
+    n = len(front)
+    i, c = _near(front, corners, np.full(n, far))
+    j, d = _near(back, corners, np.full(n, far))
+    count = 2 * len(i) + len(j) + n
+    fronts, backs = np.repeat(front[None], count, 0), np.repeat(back[None], count, 0)
+    shown = np.repeat(seen[None], count, 0)
+    alone, along = np.arange(len(i)), len(i) + np.arange(len(i))
+    behind, lost = 2 * len(i) + np.arange(len(j)), count - n + np.arange(n)
+    fronts[alone, i] = fronts[along, i] = corners[c]
+    backs[along, i] += corners[c] - front[i]
+    backs[behind, j] = corners[d]
+    shown[behind, j] = True
+    shown[lost, np.arange(n)] = False
+    return Stack(np.concatenate([fronts, _completed(fronts, backs, shown)], axis=1), (n,))
+
+
+def _near(points: Floats, corners: Floats, far: Floats) -> tuple[Floats, Floats]:
+    """Pairs of a point and a corner near it, no further off than far (one for each point), by their numbers."""
+    gap = np.hypot(*np.moveaxis(points[:, None] - corners, -1, 0))
+    order = np.argsort(gap, axis=1)[:, :NEAREST]
+    near = np.take_along_axis(gap, order, axis=1)
+    point, rank = np.nonzero((near <= far[:, None]) & (near > MOVED))
+    return point, order[point, rank]
+
+
+def _completed(front: Floats, back: Floats, seen: Bools) -> Floats:
+    """Back faces (k, n, 2) whose vertices that are not seen (k, n) lie where the best similarity has them."""
+    some = seen[..., None]
+    count = np.maximum(seen.sum(axis=1), 1)[:, None]
+    p, q = (front * some).sum(axis=1) / count, (back * some).sum(axis=1) / count
+    a, b = (front - p[:, None]) * some, (back - q[:, None]) * some
+    scale = (a * b).sum(axis=(1, 2)) / ((a * a).sum(axis=(1, 2)) + 1e-12)
+    scale = np.where(count[:, 0] > 1, np.clip(scale, SMALLEST, LARGEST), 1.0)[:, None, None]
+    placed = scale * (front - p[:, None]) + q[:, None]
+    return np.where(some | ~seen.any(axis=1)[:, None, None], back, placed)
