@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sketch2shape.evidence.calibration import REFUSE_BELOW, Weights, confidence
 from sketch2shape.evidence.detectors_agree import vouched
-from sketch2shape.evidence.energy import Comparison, Energy, compare, nearest_edges
+from sketch2shape.evidence.energy import Comparison, Energy, compare, nearest_edges, with_hidden
 from sketch2shape.evidence.exact import exactly_drawn
 from sketch2shape.evidence.redrawing import compare_sweep
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
@@ -43,5 +43,6 @@ __all__ = [
     "unexplained_part",
     "unexplained_strokes",
     "vouched",
+    "with_hidden",
     "witnesses",
 ]

@@ -8,6 +8,7 @@ wins; a vertex stays if it costs less than the ink it explains.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -19,7 +20,7 @@ from sketch2shape.evidence.score import grown
 from sketch2shape.evidence.view import View, foreign_price
 from sketch2shape.evidence.visibility import edge_samples, hidden_depth
 from sketch2shape.geometry import homology, map_fits
-from sketch2shape.hypotheses import Rings, stack
+from sketch2shape.hypotheses import Rings, split, stack
 from sketch2shape.model import Bools, Floats, Ints, Lines
 from sketch2shape.strokes import interpolated
 
@@ -41,6 +42,8 @@ LEAST_APART, APART = 2.0, 0.5
 """Pixels, or pens if that is more, between two edges drawn as one line."""
 LIKELY_HOLE = 12.0
 """Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
+LEAST_DRAWN = 2
+"""Back vertices that have to be drawn to tell the plane map."""
 STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
 
@@ -163,9 +166,8 @@ class Comparison:
         return residual, view.foreign(left)
 
     def _shape(self, noise: float, digit: float) -> float:
-        slack = 1.5 * noise + CARELESS * self.view.size
-        maps = (p * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum()) for p, off in self.misses)
-        return (2 * self.front + self.laid) * digit + min(maps) - LIKELY_HOLE * self.holes
+        least = min(map_price(p, off, noise, digit, self.view.size) for p, off in self.misses)
+        return (2 * self.front + self.laid) * digit + least - LIKELY_HOLE * self.holes
 
 
 def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison:
@@ -223,8 +225,40 @@ def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None =
     return np.sqrt(squares[np.arange(len(squares)), nearest]).astype(float), some[nearest]
 
 
+def map_price(numbers: int, off: Floats, noise: float, digit: float, size: float) -> float:
+    """Nats for a plane map of so many numbers, and for what misses it: off (k,), pixels."""
+    slack = 1.5 * noise + CARELESS * size
+    return numbers * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum())
+
+
+def with_hidden(rings: Rings, drawn: Bools, energy: Energy, size: float) -> Rings:
+    """The rings with the hidden back vertices where the plane map of the energy has them.
+
+    drawn : (m,) bool, back vertices that ink shows
+    size  : of the drawing, pixels
+    """
+    v, m = rings.vertices, len(drawn)
+    if drawn.all() or np.count_nonzero(drawn) < LEAST_DRAWN:
+        return rings
+    maps = [
+        (map_price(p, np.hypot(*o.T), energy.noise, energy.digit, size), h) for p, h, o in _maps(v[:m], v[m:], drawn)
+    ]
+    placed = homology.apply(min(maps, key=lambda told: told[0])[1], v[:m][~drawn])
+    if not np.isfinite(placed).all():
+        return rings
+    v[m:][~drawn] = placed
+    return split(v, rings.sizes)
+
+
 def _misses(front: Floats, back: Floats, drawn: Bools) -> tuple[tuple[int, Floats], ...]:
-    seen = drawn if drawn.sum() >= 2 else np.ones(len(front), bool)
+    return tuple((p, np.hypot(o[:, 0], o[:, 1])) for p, _, o in _maps(front, back, drawn))
+
+
+def _maps(front: Floats, back: Floats, drawn: Bools) -> Iterator[tuple[int, Floats, Floats]]:
+    """Plane maps: their numbers, they themselves, and by how much the drawn back vertices miss them (k, 2), pixels."""
+    seen = drawn if drawn.sum() >= LEAST_DRAWN else np.ones(len(front), bool)
     src, dst = front[seen], back[seen]
-    off = [(p, homology.apply(h, src) - dst) for p, h in zip((2, 3, 5), map_fits(src, dst), strict=False)]
-    return tuple((p, np.hypot(o[:, 0], o[:, 1])) for p, o in off if np.isfinite(o).all())
+    for numbers, h in zip((2, 3, 5), map_fits(src, dst), strict=False):
+        off = homology.apply(h, src) - dst
+        if np.isfinite(off).all():
+            yield numbers, h, off

@@ -154,22 +154,25 @@ def _from_region(graph: CornerGraph, region: Region, pen: float, most: int = 24)
 
 
 def _with_tips(corner: Ints, ring: Floats, graph: CornerGraph, pen: float) -> Ints:
-    """Corners of a ring of corners, the farthest in the tips of sharp ones: two strokes run into one before they meet.
+    """The corners of a ring, in its sharp tips the farthest there are: two strokes run into one before they meet.
 
     How far before follows from the pen's width and the angle between them.
     """
-    if (corner < 0).any():
-        return corner
     tips = corner.copy()
-    before, after = (d / np.hypot(*d.T)[:, None] for d in (np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring))
+    if (corner < 0).any():
+        return tips
+    before, after = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
+    before /= np.hypot(*before.T)[:, None]
+    after /= np.hypot(*after.T)[:, None]
     half = 0.5 * np.arccos(np.clip((before * after).sum(axis=1), -1.0, 1.0))
     for i in np.flatnonzero(half < SHARP):
-        out = -(before[i] + after[i]) / (2.0 * np.cos(half[i]))
         way = graph.points - ring[i]
+        out = -0.5 * (before[i] + after[i]) / np.cos(half[i])
         along, across = way @ out, np.abs(way[:, 0] * out[1] - way[:, 1] * out[0])
-        ahead = (across <= graph.tolerance) & (along > 0) & (along <= pen / np.sin(half[i])) & ~np.isin(np.arange(len(way)), tips)
+        ahead = (across <= graph.tolerance) & (along > 0) & (along * np.sin(half[i]) <= pen)
+        ahead[tips] = False
         if ahead.any():
-            tips[i] = np.where(ahead, along, -1.0).argmax()
+            tips[i] = np.where(ahead, along, 0.0).argmax()
     return tips
 
 

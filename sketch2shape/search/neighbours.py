@@ -13,7 +13,7 @@ import numpy as np
 
 from sketch2shape.evidence import Evidence, Sheet, judge_stack, most_possible
 from sketch2shape.hypotheses import Rings, Stack, split, stack, which_plausible
-from sketch2shape.model import Bools, Floats
+from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.search.shortlist import Judged
 
 STARTS = 3
@@ -112,7 +112,7 @@ def _moved(front: Floats, back: Floats, seen: Bools, corners: Floats, far: float
     return Stack(np.concatenate([fronts, _completed(fronts, backs, shown)], axis=1), (n,))
 
 
-def _near(points: Floats, corners: Floats, far: Floats) -> tuple[Floats, Floats]:
+def _near(points: Floats, corners: Floats, far: Floats) -> tuple[Ints, Ints]:
     """Pairs of a point and a corner near it, no further off than far (one for each point), by their numbers."""
     gap = np.hypot(*np.moveaxis(points[:, None] - corners, -1, 0))
     order = np.argsort(gap, axis=1)[:, :NEAREST]
@@ -124,10 +124,12 @@ def _near(points: Floats, corners: Floats, far: Floats) -> tuple[Floats, Floats]
 def _completed(front: Floats, back: Floats, seen: Bools) -> Floats:
     """Back faces (k, n, 2) whose vertices that are not seen (k, n) lie where the best similarity has them."""
     some = seen[..., None]
-    count = np.maximum(seen.sum(axis=1), 1)[:, None]
-    p, q = (front * some).sum(axis=1) / count, (back * some).sum(axis=1) / count
+    count = seen.sum(axis=1)[:, None]
+    every = np.maximum(count, 1)
+    p, q = (front * some).sum(axis=1) / every, (back * some).sum(axis=1) / every
     a, b = (front - p[:, None]) * some, (back - q[:, None]) * some
     scale = (a * b).sum(axis=(1, 2)) / ((a * a).sum(axis=(1, 2)) + 1e-12)
     scale = np.where(count[:, 0] > 1, np.clip(scale, SMALLEST, LARGEST), 1.0)[:, None, None]
     placed = scale * (front - p[:, None]) + q[:, None]
-    return np.where(some | ~seen.any(axis=1)[:, None, None], back, placed)
+    kept = some | (count[..., None] == 0)
+    return np.asarray(np.where(kept, back, placed))

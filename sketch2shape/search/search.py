@@ -26,6 +26,7 @@ from sketch2shape.evidence import (
     is_dashed,
     judge,
     observe,
+    with_hidden,
     witnesses,
 )
 from sketch2shape.fit import EXACT, on_map, refine, simplified
@@ -132,7 +133,16 @@ def find(seen: Observed) -> Found | None:
         best = best if again is best else _told(again)
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
-    return best
+    return best and _with_hidden(best)
+
+
+def _with_hidden(found: Found) -> Found:
+    """The answer with what nobody has drawn where the plainest way from face to face has it."""
+    energy, compared, drawn = found.energy, found.compared, found.evidence.drawn
+    if energy is None or compared is None or energy.lines != "removed":
+        return found
+    rings = with_hidden(found.rings, drawn, energy, compared.view.size)
+    return replace(found, rings=rings) if plausible(rings, 0.0) else found
 
 
 def _noted(tries: Iterable[Attempt], tried: list[Attempt]) -> Iterator[Attempt]:
