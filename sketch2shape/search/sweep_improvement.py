@@ -17,6 +17,8 @@ from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one
 
 HOPEFUL, HOPEFUL_NOTCH = 12.0, 60.0
 """Nats that may be gained where a simpler object is moved to the ink, and one without a notch, whose ends lie apart."""
+MUCH, MANY = 0.1, 24
+"""Part of the ink that a sweep leaves, and vertices of its outlines, beyond which it is not worth improving."""
 LEAST_NEAR, NEAR_PENS = 3.0, 0.5
 """Pixels, and pens, within which a hole's ink lies on ink when it is moved to the back face."""
 SHORT, MOST_OF_A_NOTCH = 0.06, 3
@@ -30,6 +32,8 @@ BEND = 0.5
 def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
     found = min((moved(f, scene) for f in (found, *(priced(scene, s) for s in others))), key=lambda f: f.nats)
+    if found.unexplained > MUCH and sum(len(ring.vertices) for ring in found.sweep.rings) > MANY:
+        return found  # hatching, a scribble: so many vertices that explain so little are none
     return finished(with_holes(found, scene, _closed_lines(found.sweep, scene)), scene)
 
 
