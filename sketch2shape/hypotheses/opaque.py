@@ -148,19 +148,17 @@ def _from_region(graph: CornerGraph, region: Region, pen: float, most: int = 24)
     # a speck whose vertices all come to lie on one corner is no hole
     islands = tuple(p for p in (snap(q, graph, reach)[1] for q in region.islands) if len(p) >= 3)
     yield from _swept(ring, islands, rungs_of(corner, ring, graph), graph, most)
-    ahead = _with_tips(corner, ring, graph, pen)
+    ahead, sharp = _with_tips(corner, ring, graph, pen)
     if not np.array_equal(ahead, corner):
-        yield from _swept(graph.points[ahead], islands, rungs_of(ahead, graph.points[ahead], graph), graph, most)
+        yield from _swept(sharp, islands, rungs_of(ahead, sharp, graph), graph, most)
 
 
-def _with_tips(corner: Ints, ring: Floats, graph: CornerGraph, pen: float) -> Ints:
-    """The corners of a ring, in its sharp tips the farthest there are: two strokes run into one before they meet.
+def _with_tips(corner: Ints, ring: Floats, graph: CornerGraph, pen: float) -> tuple[Ints, Floats]:
+    """Corners and vertices of a ring, sharp ones at the farthest corner ahead: their strokes run into one before.
 
     How far before follows from the pen's width and the angle between them.
     """
-    tips = corner.copy()
-    if (corner < 0).any():
-        return tips
+    tips, ring = corner.copy(), ring.copy()
     before, after = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
     before /= np.hypot(*before.T)[:, None]
     after /= np.hypot(*after.T)[:, None]
@@ -170,10 +168,11 @@ def _with_tips(corner: Ints, ring: Floats, graph: CornerGraph, pen: float) -> In
         out = -0.5 * (before[i] + after[i]) / np.cos(half[i])
         along, across = way @ out, np.abs(way[:, 0] * out[1] - way[:, 1] * out[0])
         ahead = (across <= graph.tolerance) & (along > 0) & (along * np.sin(half[i]) <= pen)
-        ahead[tips] = False
+        ahead[tips[tips >= 0]] = False
         if ahead.any():
             tips[i] = np.where(ahead, along, 0.0).argmax()
-    return tips
+            ring[i] = graph.points[tips[i]]
+    return tips, ring
 
 
 def _swept(ring: Floats, islands: tuple[Floats, ...], rungs: Rungs, graph: CornerGraph, most: int) -> Iterator[Rings]:

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, line, prism, shrunk
 
-from sketch2shape.evidence.energy import BLUR, CORRELATED, WITHIN, compare, nearest_edges
+from sketch2shape.evidence.energy import BLUR, CORRELATED, WITHIN, compare, nearest_edges, with_hidden
 from sketch2shape.evidence.view import FOREIGN, STROKE, STROKE_UNIT, foreign_price, observe
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.ink import split_groups
@@ -156,3 +156,32 @@ def test_straying_ink_costs_by_the_square_of_its_distance_until_it_is_foreign(no
     assert off - on == pytest.approx(lengths * 4.5)  # half of three standard deviations squared
     assert (nothing, none) == (0.0, 0.0)
     assert foreign == pytest.approx(view.all_foreign)
+
+
+def test_hidden_vertices_are_put_where_the_plainest_map_has_them():
+    picture = prism(SQUARE, SQUARE + DEPTH, "removed")
+    view, _ = view_of(picture)
+    off = SQUARE + DEPTH
+    off[3] += [25.0, 30]
+    seen = np.array([True, True, True, False])
+    energy = priced(Rings((SQUARE,), (off,)), picture, seen)
+    placed = with_hidden(Rings((SQUARE,), (off,)), seen, energy, view.size)
+    assert np.allclose(placed.back[0], SQUARE + DEPTH)
+    assert np.array_equal(placed.front[0], SQUARE)
+    careless = SQUARE + DEPTH
+    careless[0] += [3.0, 2]
+    lost = careless.copy()
+    lost[3] += 30
+    # a careless hand is no reason for a map that turns or shrinks
+    assert np.abs(with_hidden(Rings((SQUARE,), (lost,)), seen, energy, view.size).back[0][3] - careless[3]).max() < 2
+    tapered = shrunk(SQUARE, 0.6, np.array([400.0, 60]))
+    lost = tapered.copy()
+    lost[3] += 30
+    assert np.allclose(with_hidden(Rings((SQUARE,), (lost,)), seen, energy, view.size).back[0], tapered, atol=1e-6)
+
+
+def test_what_is_all_drawn_or_tells_too_little_stays_as_it_is():
+    energy = priced(BOX, prism(SQUARE, SQUARE + DEPTH))
+    off = Rings((SQUARE,), (SQUARE + 1.3 * DEPTH + np.arange(8).reshape(4, 2),))
+    for seen in (ALL, np.array([True, False, False, False])):
+        assert with_hidden(off, seen, energy, 400.0) is off

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, prism, shrunk
 
-from sketch2shape.hypotheses.opaque import PULL, Rungs, _swept, caps
+from sketch2shape.hypotheses.opaque import PULL, Rungs, _swept, _with_tips, caps
 from sketch2shape.hypotheses.regions import Region, enclosed_regions
 from sketch2shape.hypotheses.wireframe import CornerGraph
 from sketch2shape.search.tolerances import Round, corner_graph, vertex_candidates
@@ -77,3 +77,27 @@ def test_the_end_of_a_rung_near_its_place_pulls_the_back_vertex_there(tolerances
     found = [r.back[0] for r in _swept(SQUARE, (), Rungs(np.arange(4), ends), graph, 1)]
     assert np.allclose(found[0], SQUARE + DEPTH)
     assert any(np.allclose(back, ends) for back in found) == pulls
+
+
+def test_a_sharp_corner_is_found_ahead_of_where_its_strokes_run_into_one():
+    f1 = np.array([[60.0, 300], [400, 220], [400, 300]])
+    depth = np.array([-20.0, -150])
+    ring = f1.copy()
+    ring[0] += [30.0, -3]
+    points = np.concatenate([ring, f1[:1], f1 + depth])
+    graph = CornerGraph(points, np.ones((7, 7), bool), 5.0)
+    corner, sharp = _with_tips(np.arange(3), ring, graph, 6.0)
+    assert corner.tolist() == [3, 1, 2]
+    assert np.array_equal(sharp, f1)
+    assert _with_tips(np.arange(3), ring, graph, 2.0)[0].tolist() == [0, 1, 2]
+    # its own vertex lies on no corner
+    assert _with_tips(np.array([-1, 1, 2]), ring, graph, 6.0)[0].tolist() == [3, 1, 2]
+    square = CornerGraph(np.concatenate([SQUARE, SQUARE[:1] - 20]), np.ones((5, 5), bool), 5.0)
+    assert _with_tips(np.arange(4), SQUARE, square, 30.0)[0].tolist() == [0, 1, 2, 3]
+
+
+def test_a_thin_wedge_is_proposed_though_its_tip_is_cut_off():
+    f1 = np.array([[125.0, 222], [469, 221], [468, 141]])
+    back = f1 + [-115, -120]
+    picture = prism(f1, back, "removed", width=5)
+    assert any(near(r.front[0], f1, 7) and near(r.back[0], back, 12) for r in hypotheses(picture))
