@@ -239,7 +239,8 @@ def climbed_attempts(group: Group, skeleton: Skeleton, known: list[Attempt]) -> 
     for look in _looks(group, skeleton, iter(())):
         own = [judged for a in known if a.number == look.number for judged in a.shortlist]
         own.sort(key=lambda judged: -judged[1].score)
-        yield Attempt(look.number, look.traced, climbed(own, look.sheet, look.graph.points), look.sheet)
+        corners = np.concatenate([look.graph.points, look.traced.dash_ends])
+        yield Attempt(look.number, look.traced, climbed(own, look.sheet, corners), look.sheet)
 
 
 def _early(looks: list[_Look]) -> list[_Look]:

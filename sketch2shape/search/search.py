@@ -52,6 +52,9 @@ LEAST_MAP, PLAIN = 2, 1.5
 """Numbers of the plainest plane map, a translation, and more by which a hypothesis may cost and be the plainest."""
 TIE = 3.0
 """Nats that are no reason to prefer a later hypothesis."""
+WITNESSED, LOG_ODDS = 10.0, 4.6
+"""Nats that log odds of one, which witnesses give, are worth in a doubtful drawing; and log odds beyond which they say
+no more. Chosen on pictures of people and programs and drawings of the generator."""
 COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
 MAIN = 0.5
@@ -127,13 +130,29 @@ def find(seen: Observed) -> Found | None:
     An answer that can be trusted needs no second look: of 106 such answers it changed two, none for the better.
     """
     tried: list[Attempt] = []
-    best: Found | None = None
+    found: list[Found] = []
     for look in (attempts, second_attempts, partial(climbed_attempts, known=tried)):
-        again = _searched(_noted(look(seen.group, seen.skeleton), tried), seen.view, best)
-        best = best if again is best else _told(again)
+        _search(_noted(look(seen.group, seen.skeleton), tried), seen.view, found)
+        best = _told(_best(found))
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
+    else:
+        best = best and _likeliest(best, found)
     return best and _with_hidden(best)
+
+
+def _likeliest(best: Found, found: list[Found]) -> Found:
+    """Of hypotheses that cost hardly more than the best, the one that the witnesses speak for most."""
+    limit = _total(best) + WITNESSED * LOG_ODDS
+    rivals = [told for f in _priced(found) if _total(f) < limit and (told := _told(f)) is not None]
+    other = min(rivals, key=_doubted, default=best)
+    return other if _doubted(other) < _doubted(best) - TIE else best
+
+
+def _doubted(found: Found) -> float:
+    """Nats: what it costs, less what its witnesses are worth."""
+    odds = float(np.log(max(found.confidence, 1e-9) / max(1.0 - found.confidence, 1e-9)))
+    return _total(found) - WITNESSED * float(np.clip(odds, -LOG_ODDS, LOG_ODDS))
 
 
 def _with_hidden(found: Found) -> Found:
@@ -160,10 +179,9 @@ def _told(best: Found | None) -> Found | None:
     return replace(best, witnesses=told, confidence=confidence(told))
 
 
-def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found | None:
-    """The best of some attempts and what was known, until more of them bring nothing new."""
-    found = [] if best is None else [best]
-    stale = 0
+def _search(tries: Iterable[Attempt], view: View, found: list[Found]) -> None:
+    """Add the hypotheses of some attempts to those found, until more of them bring nothing new."""
+    stale, best = 0, _best(found)
     for attempt in tries:
         if best is None and _is_scribble(attempt):
             break
@@ -172,7 +190,6 @@ def _searched(tries: Iterable[Attempt], view: View, best: Found | None) -> Found
         stale = 0 if best is not before and not _is_same(before, best) else stale + attempt.is_whole
         if best is not None and (_leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
             break
-    return best
 
 
 def _compared(found: Found, view: View) -> Found:
@@ -202,8 +219,7 @@ def _best(found: list[Found]) -> Found | None:
     """The hypothesis of least energy, all under the noise of one hand."""
     if not found:
         return None
-    hand = _hand(found)
-    priced = [replace(f, energy=f.compared.energy(hand)) for f in found if f.compared is not None]
+    priced = _priced(found)
     best = priced[0]
     for other in priced[1:]:
         # of those that cost alike, the one that is drawn better by far, or else that was thought of first
@@ -211,6 +227,12 @@ def _best(found: list[Found]) -> Found | None:
         if _total(other) < _total(best) + (TIE if is_better else -TIE):
             best = other
     return best
+
+
+def _priced(found: list[Found]) -> list[Found]:
+    """What each costs under the noise of one hand."""
+    hand = _hand(found)
+    return [replace(f, energy=f.compared.energy(hand)) for f in found if f.compared is not None]
 
 
 def _hand(found: list[Found]) -> float:

@@ -11,7 +11,7 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, pr
 from sketch2shape.geometry.homology import apply
 from sketch2shape.ink import split_groups
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
-from sketch2shape.search.search import DENSE, _searched
+from sketch2shape.search.search import DENSE, LOG_ODDS, TIE, WITNESSED, _doubted, _likeliest, _search
 from synthetic.hand import RULER
 from synthetic.negatives import NEGATIVES
 from synthetic.pens import Pen
@@ -136,9 +136,29 @@ def test_a_scribble_is_not_looked_at_again(monkeypatch, strokes, score, looks):
     monkeypatch.setattr("sketch2shape.search.search._refined_of", lambda *_: [])
     traced = SimpleNamespace(strokes=SimpleNamespace(ends=np.zeros((strokes, 2, 2))))
     tries = [SimpleNamespace(number=n, score=score, traced=traced, is_whole=True) for n in (1, 2, 3)]
-    taken = []
-    assert _searched((taken.append(t) or t for t in tries), None, None) is None
+    taken, found = [], []
+    _search((taken.append(t) or t for t in tries), None, found)
+    assert found == []
     assert len(taken) == looks
+
+
+def _priced_at(nats, confidence):
+    return SimpleNamespace(energy=SimpleNamespace(total=nats), confidence=confidence)
+
+
+def test_what_witnesses_speak_for_may_cost_a_little_more_and_no_tie_is_broken(monkeypatch):
+    monkeypatch.setattr(search, "_priced", lambda found: found)
+    monkeypatch.setattr(search, "_told", lambda found: found)
+    best = _priced_at(100.0, 0.2)
+    # log odds of 1.4 for it and 1.4 against the best one are worth 28 nats
+    likely, dear, alike = _priced_at(120.0, 0.8), _priced_at(126.0, 0.8), _priced_at(100.0, 0.25)
+    assert _likeliest(best, [best, likely]) is likely
+    assert _likeliest(best, [dear, best]) is best
+    assert _likeliest(best, [alike, best]) is best
+    # however sure, nothing is worth more than so much
+    sure, hopeless = _priced_at(100.0 + 2 * WITNESSED * LOG_ODDS - TIE, 1.0), _priced_at(100.0, 0.0)
+    assert _doubted(sure) < _doubted(hopeless)
+    assert _likeliest(hopeless, [hopeless, sure]) is hopeless
 
 
 def _counted(monkeypatch, name):
