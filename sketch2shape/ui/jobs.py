@@ -23,7 +23,7 @@ _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
 _MOST_LEFT = 40  # strokes that are told to fit nothing
 _MOST_SIDE = 40_000  # of a picture that corrections claim to belong to
-_EVEN = 0.5  # confidence below which an answer is rather wrong: the page shows it as a guess
+_EVEN = 0.5  # confidence below which what was found is rather wrong: the page shows it as a guess
 
 
 def warm_up() -> None:
@@ -83,7 +83,7 @@ def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:
         guess = error.guess or Answer((), (), picture)
         told = error.message, error.advice
     else:
-        sure = min(answer.confidences)
+        sure = min(obj.confidence for obj in answer.objects)  # proportions may be vague: other readings are offered
         if sure >= _EVEN:
             return answer, None
         guess, told = answer, (f"no likely solid explains it (confidence {sure:.2f})", "to put its corners right")

@@ -92,6 +92,19 @@ def test_an_answer_that_is_rather_wrong_is_shown_as_a_guess(
     assert found["problem"]["left"] == []
 
 
+def test_vague_proportions_make_no_guess_of_what_was_found(
+    app: TestClient, box_png: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def vague(picture: Picture) -> Answer:
+        answer = reconstruct(picture)
+        return replace(answer, solids=tuple(replace(solid, confidence=0.3) for solid in answer.solids))
+
+    monkeypatch.setattr("sketch2shape.pipeline.reconstruct", vague)
+    found = app.post("/api/reconstruct", content=box_png, headers=PNG).json()
+    assert found["problem"] is None
+    assert found["facts"][0]["confidence"] <= 0.3
+
+
 def test_strokes_that_show_no_solid_give_the_best_guess_or_nothing(app: TestClient) -> None:
     line = {"points": [[0, 0], [100, 0]]}
     found = app.post("/api/sketch", json={"strokes": [line]}).json()
