@@ -8,6 +8,7 @@ all circles keep one shape.
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -50,18 +51,32 @@ def polished(sweep: Sweep, ink: cKDTree, reach: float) -> Sweep:
             return sweep
         normal = np.stack([-along[used, 1], along[used, 0]], axis=1)
         off = ((pixels[nearest[used]] - points[used]) * normal).sum(axis=1)
-        slopes = np.empty((int(used.sum()), len(numbers)))
-        for k in range(len(numbers)):
-            step = numbers.copy()
-            step[k] += NUDGE * scale[k]
-            moved, _ = _samples(_with(sweep, step))
-            slopes[:, k] = ((moved[used] - points[used]) * normal).sum(axis=1) / NUDGE
+        slopes = (_slopes(sweep, numbers, scale, points)[used] * normal[:, None]).sum(axis=2)
         weight = 1.0 / (1.0 + (off / (0.35 * reach)) ** 2)
         square = slopes.T @ (slopes * weight[:, None])
         damping = DAMPING * np.trace(square) / len(numbers) * np.eye(len(numbers))
         change = np.linalg.solve(square + damping, slopes.T @ (weight * off))
         sweep = _with(sweep, numbers + np.clip(change, -2 * reach, 2 * reach) * scale)
     return sweep
+
+
+def _slopes(sweep: Sweep, numbers: Floats, scale: Floats, points: Floats) -> Floats:
+    """(k, n, 2) by how much each number, over its scale, moves each of the samples, points (k, 2)."""
+    slopes = np.zeros((len(points), len(numbers), 2))
+    parts = _parts(sweep)
+    ends = np.cumsum([0, *(len(_ring_samples(ring, sweep.way)[0]) for ring in sweep.rings)])
+    for ring, part, first, last in zip(sweep.rings, parts, ends[:-1], ends[1:], strict=True):
+        for k in range(part.start, part.stop):
+            step = numbers[part].copy()
+            step[k - part.start] += NUDGE * scale[k]
+            moved, _ = _ring_samples(_ring_with(ring, sweep.frame, step), sweep.way)
+            slopes[first:last, k] = (moved - points[first:last]) / NUDGE
+    for k in range(parts[-1].stop, len(numbers)):
+        step = numbers.copy()
+        step[k] += NUDGE * scale[k]
+        moved, _ = _samples(_with(sweep, step))
+        slopes[:, k] = (moved - points) / NUDGE
+    return slopes
 
 
 def _has_free_ratio(sweep: Sweep) -> bool:
@@ -104,20 +119,25 @@ def _with(sweep: Sweep, numbers: Floats) -> Sweep:
     frame = sweep.frame
     if _has_free_ratio(sweep):
         frame = Frame(frame.along, float(np.clip(rest[-1], LEAST_RATIO, MOST_RATIO)))
-    at, rings = 0, []
-    for ring in sweep.rings:
-        if ring.circle is not None:
-            x, y, radius = numbers[at : at + 3]
-            rings.append(replace(ring, frame=frame, circle=Circle(np.array([x, y]), float(max(radius, 1.0)))))
-            at += 3
-            continue
-        n, k = ring.vertices.size, int(ring.curved.sum())
-        bulges = ring.bulges.copy()
-        bulges[ring.curved] = numbers[at + n : at + n + k]
-        vertices = numbers[at : at + n].reshape(-1, 2)
-        rings.append(Outline(frame, vertices, bulges, ring.smooth))
-        at += n + k
-    return replace(sweep, rings=tuple(rings), way=way)
+    rings = tuple(_ring_with(r, frame, numbers[p]) for r, p in zip(sweep.rings, _parts(sweep), strict=True))
+    return replace(sweep, rings=rings, way=way)
+
+
+def _parts(sweep: Sweep) -> list[slice]:
+    """Where among the numbers those of each ring are."""
+    counts = [3 if r.circle is not None else r.vertices.size + int(r.curved.sum()) for r in sweep.rings]
+    ends = np.cumsum([0, *counts]).tolist()
+    return [slice(a, b) for a, b in pairwise(ends)]
+
+
+def _ring_with(ring: Outline, frame: Frame, numbers: Floats) -> Outline:
+    """The ring with these numbers, in a frame."""
+    if ring.circle is not None:
+        x, y, radius = numbers
+        return replace(ring, frame=frame, circle=Circle(np.array([x, y]), float(max(radius, 1.0))))
+    n, bulges = ring.vertices.size, ring.bulges.copy()
+    bulges[ring.curved] = numbers[n:]
+    return Outline(frame, numbers[:n].reshape(-1, 2), bulges, ring.smooth)
 
 
 def _way(way: Way, numbers: Floats) -> tuple[Way, Floats]:
@@ -132,21 +152,25 @@ def _way(way: Way, numbers: Floats) -> tuple[Way, Floats]:
 
 
 def _samples(sweep: Sweep) -> tuple[Floats, Floats]:
-    """Points of all its lines but silhouettes, and the direction of the line at each."""
+    """Points of all its lines but silhouettes, ring by ring, and the direction of the line at each."""
+    points, along = zip(*(_ring_samples(ring, sweep.way) for ring in sweep.rings), strict=True)
+    return np.concatenate(points), np.concatenate(along)
+
+
+def _ring_samples(ring: Outline, way: Way) -> tuple[Floats, Floats]:
+    """The same of one ring."""
+    line = ring.line
+    ends = [line] if way.is_pointed else [line, line + way.of(line)]
     points, along = [], []
-    for ring in sweep.rings:
-        line = ring.line
-        to = sweep.way.of(line)
-        ends = [line] if sweep.way.is_pointed else [line, line + to]
-        for rim in ends:
-            span = np.roll(rim, -1, axis=0) - rim
-            points.append(rim + 0.5 * span)
-            along.append(span)
-        if len(ring.vertices):
-            sharp = ring.vertices[~ring.smooth]
-            way = sweep.way.of(sharp)
-            t = (np.arange(SIDES) + 0.5) / SIDES
-            points.append((sharp[:, None] + t[:, None] * way[:, None]).reshape(-1, 2))
-            along.append(np.repeat(way, SIDES, axis=0))
+    for rim in ends:
+        span = np.roll(rim, -1, axis=0) - rim
+        points.append(rim + 0.5 * span)
+        along.append(span)
+    if len(ring.vertices):
+        sharp = ring.vertices[~ring.smooth]
+        to = way.of(sharp)
+        t = (np.arange(SIDES) + 0.5) / SIDES
+        points.append((sharp[:, None] + t[:, None] * to[:, None]).reshape(-1, 2))
+        along.append(np.repeat(to, SIDES, axis=0))
     p, a = np.concatenate(points), np.concatenate(along)
     return p, a / (np.hypot(a[:, 0], a[:, 1]) + 1e-9)[:, None]
