@@ -68,6 +68,10 @@ def _first(first: Any, *_: Any, **__: Any) -> Any:
     return first
 
 
+def _least_nats(found: Any) -> Any:
+    return min(found, key=lambda f: f.nats)
+
+
 def _first_two(first: Any, second: Any, *_: Any) -> Any:
     return first, second
 
@@ -180,6 +184,14 @@ MECHANISMS = (
     Mechanism("sweeps: wireframes", _in("search.sweep_pairs", _coherent=_NONE)),
     Mechanism("sweeps: loops moved", _in("search.sweep_pairs", _moved=_NONE)),
     Mechanism("sweeps: loops drawn together", _in("search.sweep_pairs", _drawn_together=_NONE)),
+    Mechanism("sweeps: put together from rungs", _in("search.sweeping", joined=_NONE)),
+    Mechanism("shifts told by rungs", _in("search.sweep_pairs", wire_shifts=_always([]))),
+    Mechanism(
+        "sweeps compared under one hand",
+        _in("search.found_sweep", cheapest=_least_nats)
+        | _in("search.sweep_improvement", cheapest=_least_nats)
+        | _in("search.sweeping", cheapest=_least_nats),
+    ),
     Mechanism("sweeps: pyramids", _in("search.sweeping", _likely_pyramids=_always([]))),
     Mechanism("sweeps: ellipses", _in("search.sweep_pairs", ellipses=_always([]))),
     Mechanism("sweeps: enclosed loops", _in("search.sweep_pairs", enclosed_loops=_always([]))),

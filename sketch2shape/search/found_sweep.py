@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -71,6 +72,15 @@ class FoundSweep:
         """How far lines stray, pixels."""
         return self.energy.noise
 
+    @property
+    def hand(self) -> float:
+        """Noise of the hand that drew, pixels, if these are its lines."""
+        return _hand(self.compared)
+
+    def under(self, hand: float) -> float:
+        """Nats if the hand had this noise, pixels."""
+        return self.compared.energy(hand).total + _leaning(self.sweep)
+
     def shifted(self, by: Floats) -> FoundSweep:
         """The same elsewhere on the sheet."""
         return replace(self, sweep=self.sweep.shifted(by))
@@ -88,6 +98,12 @@ def priced(scene: Scene, sweep: Sweep) -> FoundSweep:
     every = [compare_sweep(way, scene.view, scene.margin, scene.solid) for way in ways]
     found = [FoundSweep(way, c, c.energy(_hand(c))) for way, c in zip(ways, every, strict=True)]
     return min(found, key=lambda f: f.nats)
+
+
+def cheapest(found: Sequence[FoundSweep]) -> FoundSweep:
+    """The one that tells the drawing most briefly, all under the hand of the closest: a careless fit excuses itself."""
+    hand = min(f.hand for f in found)
+    return min(found, key=lambda f: f.under(hand))
 
 
 def _manners(sweep: Sweep) -> list[Sweep]:
@@ -119,4 +135,4 @@ def moved(found: FoundSweep, scene: Scene) -> FoundSweep:
     there = polished(found.sweep, scene.tree, scene.reach)
     if there.has_arcs and is_flat(there.way, there.rings[0].line, scene):
         return found
-    return min(found, priced(scene, there), key=lambda f: f.nats)
+    return cheapest((found, priced(scene, there)))

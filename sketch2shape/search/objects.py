@@ -16,7 +16,7 @@ from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.search.search import Found, find, observed
-from sketch2shape.search.sweeping import SLIGHT, find_sweep
+from sketch2shape.search.sweeping import EVEN_ODDS, SLIGHT, find_sweep
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_PATH
 
@@ -36,9 +36,6 @@ LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
 LACKING = 8.0
 """Nats of missing lines that a figure of few lines may lack."""
-EVEN_ODDS = 0.5
-"""Confidence below which an answer with arcs or a point is likelier wrong than right, and not given."""
-
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 

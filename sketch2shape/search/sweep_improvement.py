@@ -11,7 +11,7 @@ import numpy as np
 
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
-from sketch2shape.search.found_sweep import FoundSweep, moved, priced
+from sketch2shape.search.found_sweep import FoundSweep, cheapest, moved, priced
 from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Scene, are_close, evenly
 from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one_frame, rounded
 
@@ -21,6 +21,8 @@ MUCH, MANY = 0.1, 24
 """Part of the ink that a sweep leaves, and vertices of its outlines, beyond which it is not worth improving."""
 LEAST_NEAR, NEAR_PENS = 3.0, 0.5
 """Pixels, and pens, within which a hole's ink lies on ink when it is moved to the back face."""
+MOST_MOVES, LEAST_GAIN = 4, 2.0
+"""Times that an object is moved to the ink once it has its holes, and nats that are worth one more."""
 SHORT, MOST_OF_A_NOTCH = 0.06, 3
 """Length over the drawing's size of edges that may be a notch, and how many there are at most."""
 FLAT = 0.12
@@ -31,7 +33,7 @@ BEND = 0.5
 
 def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
-    found = min((moved(f, scene) for f in (found, *(priced(scene, s) for s in others))), key=lambda f: f.nats)
+    found = cheapest([moved(f, scene) for f in (found, *(priced(scene, s) for s in others))])
     if found.unexplained > MUCH and sum(len(ring.vertices) for ring in found.sweep.rings) > MANY:
         return found  # hatching, a scribble: so many vertices that explain so little are none
     return finished(with_holes(found, scene, _closed_lines(found.sweep, scene)), scene)
@@ -39,11 +41,21 @@ def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundS
 
 def finished(found: FoundSweep, scene: Scene) -> FoundSweep:
     """In perspective, without needless vertices, and seen from the other side, if that is cheaper."""
-    found = _in_perspective(found, scene)
+    found = _settled(_in_perspective(found, scene), scene)
     found = _simpler(found, scene)
     if found.sweep.way.centre is None:
         other = priced(scene, found.sweep.reversed())
-        found = min(found, other, key=lambda f: f.nats)
+        found = cheapest((found, other))
+    return found
+
+
+def _settled(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """Moved to the ink as long as that gains something."""
+    for _ in range(MOST_MOVES):
+        there = moved(found, scene)
+        if found.under(there.hand) - there.nats < LEAST_GAIN:
+            break
+        found = there
     return found
 
 
@@ -69,7 +81,7 @@ def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within:
         for hole in _cut_holes(loop, found.sweep, scene.skeleton.pen_width):
             holed = priced(scene, replace(found.sweep, rings=in_one_frame((*rings, hole))))
             if holed.nats < found.nats + HOPEFUL:
-                found = min(found, moved(holed, scene), key=lambda f: f.nats)
+                found = cheapest((found, moved(holed, scene)))
     return found
 
 
@@ -122,15 +134,17 @@ def _cheaper(found: FoundSweep, scene: Scene) -> Iterator[FoundSweep]:
             way = priced(scene, replace(found.sweep, rings=rings))
             if way.nats < found.nats + hopeful:
                 way = moved(way, scene)
-            if way.nats < found.nats:
+            if cheapest((found, way)) is way:
                 yield way
 
 
 def _without_notches(ring: Outline, short: float) -> Iterator[Outline]:
     """The ring with some edges of at most so many pixels in all drawn together to a vertex, a smooth one or a corner.
 
-    Where lines cross at a small angle, an outline that is followed has notches.
+    Where lines cross at a small angle, an outline that is followed has notches. Of arcs alone it may be a circle.
     """
+    if len(ring.vertices) and ring.curved.all():
+        yield rounded(evenly(ring.line), ring.frame)
     v, n = ring.vertices, len(ring.vertices)
     own = np.arange(n)
     for m in range(1, min(MOST_OF_A_NOTCH, n - 3) + 1):

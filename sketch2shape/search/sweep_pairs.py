@@ -32,6 +32,7 @@ from sketch2shape.sweeps import (
     ellipses,
     enclosed_loops,
     in_one_frame,
+    joints,
     pyramids,
     retraced,
     settled,
@@ -39,6 +40,7 @@ from sketch2shape.sweeps import (
     shifts,
     ways_along,
     ways_towards,
+    wire_shifts,
 )
 
 if TYPE_CHECKING:
@@ -158,6 +160,21 @@ class Scene:
         return [*self.ellipses, *map(Loop, others)]
 
     @cached_property
+    def joints(self) -> Floats:
+        """(k, 2) float, pixels, where lines meet or end."""
+        return joints(self.skeleton)
+
+    @cached_property
+    def wire_shifts(self) -> list[Floats]:
+        """Shifts (2,) to the back face that nearly all ink of a wireframe tells."""
+        return wire_shifts(self.skeleton, self.joints, self.shifts, self.size)
+
+    @cached_property
+    def shifts(self) -> Floats:
+        """(k, 2) by which much of the ink comes to lie on ink."""
+        return shifts(self.skeleton, self.size)
+
+    @cached_property
     def cells(self) -> Cells:
         """The drawing at a glance."""
         return Cells.of(self.skeleton, self.size, self.group.solid)
@@ -259,7 +276,18 @@ def _drawn_together(scene: Scene) -> Iterator[Pair]:
 
 def _coherent(scene: Scene) -> Iterator[Pair]:
     """Wireframes: ink that lies on ink again when it is moved."""
-    for shift in shifts(scene.skeleton, scene.size):
+    yield from _coherent_by(scene.shifts, scene)
+
+
+def pairs_of_rungs(scene: Scene) -> list[Pair]:
+    """The same by shifts that rungs tell, if they are others."""
+    near = ALIKE * scene.size
+    others = [s for s in scene.wire_shifts if all(np.hypot(*(s - t)) > near for t in (*scene.shifts, *-scene.shifts))]
+    return [p.valued(scene.cells) for p in _coherent_by(others, scene) if not is_flat(p.way, p.loop.line, scene)]
+
+
+def _coherent_by(some: Iterable[Floats], scene: Scene) -> Iterator[Pair]:
+    for shift in some:
         rough = _moved_to_ink(shift, WIDELY, scene)
         if not rough:
             continue

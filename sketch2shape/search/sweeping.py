@@ -8,16 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator
 from dataclasses import replace
-from itertools import islice
+from itertools import chain, islice, repeat
 from typing import TypeAlias
 
 import numpy as np
 
-from sketch2shape.search.found_sweep import FoundSweep, priced
+from sketch2shape.model import TRUSTED
+from sketch2shape.search.found_sweep import FoundSweep, cheapest, priced
 from sketch2shape.search.search import Observed
 from sketch2shape.search.sweep_improvement import improved
-from sketch2shape.search.sweep_pairs import ALIKE, Pair, Scene, are_close, cut, pairs_of
-from sketch2shape.sweeps import Sweep, redraw
+from sketch2shape.search.sweep_pairs import ALIKE, Pair, Scene, are_close, cut, pairs_of, pairs_of_rungs
+from sketch2shape.sweeps import Sweep, joined, redraw
 
 SIDE = 0.02
 """Part of the ink that one more side of a base has to explain: about what its corner costs in nats."""
@@ -31,6 +32,8 @@ MOST_IMPROVED = 3
 """Sweeps that are moved to the ink, the best of those that were begun."""
 MOST_GAINED = 150.0
 """Nats that a sweep gains at most by being moved to the ink; some 120 were seen where its holes were known."""
+EVEN_ODDS = 0.5
+"""Confidence below which an answer with arcs or a point is likelier wrong than right, and not given."""
 APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
 LEAST_BEHIND, BESIDE = 0.08, 0.02
@@ -51,26 +54,37 @@ def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> F
     scene = Scene(seen.drawn, seen.skeleton, seen.view)
     some: list[_Begun] = []
     done: dict[FoundSweep, FoundSweep] = {}
-    for begun in _batches(scene, arcs=arcs):
+    for begun, enough in zip(_batches(scene, arcs=arcs), chain((TRUSTED,), repeat(EVEN_ODDS)), strict=False):
         deep = [b for b in begun if _shows_depth(b[0], scene)]
         some = _unlike(sorted([*some, *deep], key=lambda b: b[0].nats), scene.size)
         hopeful = [b for b in some[:MOST_IMPROVED] if b[0].nats < below + MOST_GAINED]
-        _improve(hopeful, done, scene)
-        if any(f.unexplained <= SLIGHT for f in done.values()):
+        _improve(hopeful, done, scene, enough)
+        if any(_stands(f, enough) for f in done.values()):
             break
-    found = sorted((f for f in done.values() if _shows_depth(f, scene)), key=lambda f: f.nats)
+    found = [f for f in done.values() if _shows_depth(f, scene)]
     if not found:
         return None
-    best = found[0]
-    rivals = [f.nats for f in (*found[1:], *(f for f, _ in some)) if not _is_same(f, best, scene.size)]
+    best = cheapest(found)
+    rivals = [f.under(best.hand) for f in (*found, *(f for f, _ in some)) if not _is_same(f, best, scene.size)]
     return _dashed(best, scene).against(min(rivals, default=np.inf) - best.nats)
 
 
 def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
     """Sweeps to start from, the likeliest sources first."""
-    for pairs in pairs_of(scene, bowed=arcs):
-        yield [b for pair in pairs if arcs or pair.holes for b in _outlined(pair, scene)]
+    batches = pairs_of(scene, bowed=arcs)
+    for pairs in islice(batches, 1):
+        yield _begun(pairs, scene, arcs=arcs)
+    put = joined(scene.skeleton, scene.joints, scene.wire_shifts, scene.size)
+    together: list[_Begun] = [(priced(scene, s), iter(())) for s in put if arcs or s.has_arcs]
+    yield [*together, *_begun(pairs_of_rungs(scene), scene, arcs=arcs)]
+    for pairs in batches:
+        yield _begun(pairs, scene, arcs=arcs)
     yield [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
+
+
+def _begun(pairs: list[Pair], scene: Scene, *, arcs: bool) -> list[_Begun]:
+    """Pairs with their outlines cut; without arcs those with holes alone."""
+    return [b for pair in pairs if arcs or pair.holes for b in _outlined(pair, scene)]
 
 
 def _outlined(pair: Pair, scene: Scene) -> list[_Begun]:
@@ -82,12 +96,17 @@ def _outlined(pair: Pair, scene: Scene) -> list[_Begun]:
     return [(f, cuts) for f in first]
 
 
-def _improve(begun: list[_Begun], done: dict[FoundSweep, FoundSweep], scene: Scene) -> None:
-    """Improve the best, and others if they are nearly as good or too much is left unexplained."""
+def _improve(begun: list[_Begun], done: dict[FoundSweep, FoundSweep], scene: Scene, enough: float) -> None:
+    """Improve the best, and others if they are nearly as good or none stands."""
     for found, rest in begun:
-        explained = any(f.unexplained <= SLIGHT for f in done.values())
-        if found not in done and (not explained or found.nats < min(f.nats for f in done) + CLOSE):
+        stands = any(_stands(f, enough) for f in done.values())
+        if found not in done and (not stands or found.nats < min(f.nats for f in done) + CLOSE):
             done[found] = improved(found, rest, scene)
+
+
+def _stands(found: FoundSweep, enough: float) -> bool:
+    """Whether it explains all ink, with enough confidence unless another explains it too."""
+    return found.unexplained <= SLIGHT and found.against(np.inf).confidence >= enough
 
 
 def _likely_pyramids(scene: Scene) -> list[Sweep]:

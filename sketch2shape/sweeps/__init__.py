@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from sketch2shape.sweeps.cells import Cells
+from sketch2shape.sweeps.joined import joined
 from sketch2shape.sweeps.loops import LEAST_PATH, Loop, coherent_loops, ellipses, enclosed_loops
 from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
 from sketch2shape.sweeps.pieces import cut_ring, rounded
 from sketch2shape.sweeps.pyramids import pyramids
 from sketch2shape.sweeps.retracing import retraced
+from sketch2shape.sweeps.rungs import joints, wire_shifts
 from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
 from sketch2shape.sweeps.ways import (
     centres,
@@ -38,6 +40,8 @@ __all__ = [
     "ellipses",
     "enclosed_loops",
     "in_one_frame",
+    "joined",
+    "joints",
     "pyramids",
     "redraw",
     "retraced",
@@ -48,4 +52,5 @@ __all__ = [
     "shifts",
     "ways_along",
     "ways_towards",
+    "wire_shifts",
 ]

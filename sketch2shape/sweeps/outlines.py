@@ -80,7 +80,7 @@ class Outline:
             rim = np.stack([np.cos(angle), np.sin(angle)], axis=1)
             return self.frame.seen(self.circle.centre + self.circle.radius * rim)
         flat = self.frame.flat(self.vertices)
-        return self.frame.seen(_arcs(flat, np.roll(flat, -1, axis=0), self.bulges).reshape(-1, 2))
+        return self.frame.seen(arcs_between(flat, np.roll(flat, -1, axis=0), self.bulges).reshape(-1, 2))
 
     @property
     def knots(self) -> Ints:
@@ -186,9 +186,9 @@ def polygon(vertices: Floats) -> Outline:
     return Outline(Frame(np.array([1.0, 0.0]), 1.0), vertices, np.zeros(n), np.zeros(n, np.bool_))
 
 
-def _arcs(a: Floats, b: Floats, bulges: Floats) -> Floats:
-    """(n, STEPS, 2) points of arcs from a to b, (n, 2) each, the last point left out."""
-    t = np.arange(STEPS) / STEPS
+def arcs_between(a: Floats, b: Floats, bulges: Floats, steps: int = STEPS) -> Floats:
+    """(n, steps, 2) points of arcs from a to b, (n, 2) each, the last point left out."""
+    t = np.arange(steps) / steps
     straight = a[:, None] + t[:, None] * (b - a)[:, None]
     curved = np.abs(bulges) > STRAIGHT
     if not curved.any():

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from round_sketches import ARCH, arch, drawn
+from round_sketches import ARCH, FACING, arch, drawn
 from sketches import ink_of
 
 from sketch2shape.ink import split_groups
@@ -37,6 +37,15 @@ def test_long_edges_are_no_notch_and_three_vertices_stay():
     assert list(_without_notches(arch(), 30.0)) == []
     triangle = replace(arch(), vertices=arch().vertices[:3], bulges=np.zeros(3), smooth=np.zeros(3, bool))
     assert list(_without_notches(triangle, 1000.0)) == []
+
+
+def test_a_ring_of_arcs_may_be_a_circle():
+    turn = np.tan(np.pi / 6)
+    corners = np.array([[200.0, 100], [300, 100], [250, 186.6]])
+    ring = Outline(FACING, corners, np.full(3, -turn), np.ones(3, bool))
+    whole = next(_without_notches(ring, 30.0))
+    assert whole.circle is not None
+    assert whole.circle.radius == pytest.approx(57.7, abs=1.0)
 
 
 def test_the_drawing_shows_that_the_notch_is_none():

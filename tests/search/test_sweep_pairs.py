@@ -25,6 +25,7 @@ from sketch2shape.search.sweep_pairs import (
     evenly,
     is_flat,
     pairs_of,
+    pairs_of_rungs,
 )
 from sketch2shape.sweeps import Loop, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
@@ -181,3 +182,12 @@ def test_lines_are_close_by_their_boxes_on_all_four_sides():
     wider = RIM * [1.1, 1.0] - [24.0, 0]
     assert not are_close(RIM, wider, 8.9)
     assert are_close(RIM, wider, 9.1)
+
+
+def test_shifts_of_rungs_are_asked_where_the_ink_tells_none():
+    plain = slot(Way(np.array([60.0, 40.0])), tangents=True)
+    scene, _ = scene_of(plain)
+    assert pairs_of_rungs(scene) == []
+    scene.__dict__["shifts"] = np.zeros((0, 2))
+    (pair,) = pairs_of_rungs(scene)
+    assert np.hypot(*(np.abs(pair.way.shift) - [60, 40])) < 3
