@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from sketch2shape.geometry import cross
 from sketch2shape.model import Floats, Ints
 from sketch2shape.sweeps.outlines import Frame, arcs_between
 from sketch2shape.sweeps.rungs import looked_up
@@ -89,11 +90,11 @@ def spans_of(field: Field, along: Floats) -> list[tuple[Frame, Spans]]:
 
     along : (2,) float of unit length, the direction in which circles are seen shortened
     """
-    lines = _lines(field)
+    lines = _aside(_lines(field), along, field)
 
     def told(ratio: float) -> tuple[float, Frame, Spans]:
         frame = Frame(along, ratio)
-        both = _joined(lines, _arcs(field, frame))
+        both = _joined(lines, _aside(_arcs(field, frame), along, field))
         return _explained(both, field), frame, both
 
     every = [told(float(r)) for r in np.geomspace(LEAST_RATIO, 1.0, RATIOS)]
@@ -102,6 +103,12 @@ def spans_of(field: Field, along: Floats) -> list[tuple[Frame, Spans]]:
     best = sorted((every[k] for k in summits.tolist()), key=lambda t: -t[0])[:SUMMITS]
     fine = [max((b, *(told(b[1].ratio * (1.0 + by)) for by in (-FINER, FINER))), key=lambda t: t[0]) for b in best]
     return [(frame, spans) for _, frame, spans in fine]
+
+
+def _aside(spans: Spans, along: Floats, field: Field) -> Spans:
+    """Those that do not run along the way to the back: their sides would be seen edge-on, as all are in a flat grid."""
+    off = cross(spans.points - spans.points[:, :1], along)
+    return spans.at(np.flatnonzero(np.ptp(off, axis=1) > field.reach))
 
 
 def _joined(a: Spans, b: Spans) -> Spans:

@@ -48,6 +48,11 @@ def test_a_line_that_one_face_lacks_is_none(field):
     assert all(not len(spans.first) for _, spans in spans_of(elsewhere, ALONG))
 
 
+def test_what_runs_along_the_way_to_the_back_is_none(field):
+    for _, spans in spans_of(field, np.array([1.0, 0.0])):
+        assert not (spans.bulges == 0).any()
+
+
 def test_cells_hold_all_of_a_span(field):
     _, spans = spans_of(field, ALONG)[0]
     cells = cells_of(spans, field)
