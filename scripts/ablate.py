@@ -129,6 +129,7 @@ MECHANISMS = (
     Mechanism("third look: neighbours", _in("search.search", climbed_attempts=_NONE)),
     Mechanism("hidden vertices on the plainest map", _in("search.search", with_hidden=_first)),
     Mechanism("tips ahead of where strokes run into one", _in("hypotheses.opaque", _with_tips=_first_two)),
+    Mechanism("edges cut off by the border", _in("search.objects", closed_at_border=_always(None))),
     Mechanism("early rounds for wireframes alone", _in("search.attempts", _early=_always([]))),
     Mechanism("a close look", _in("search.attempts", BENT=np.inf, STEADY=0.0)),
     Mechanism("fine rounds later where lines are known", _in("search.attempts", _likely_first=_first)),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.geometry import cross
-from sketch2shape.ink import Group, split_groups
+from sketch2shape.ink import Group, closed_at_border, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.exact import Verified, find_exact
@@ -44,10 +44,21 @@ AnyFound: TypeAlias = Verified | FoundSweep
 
 
 def find_all(ink: Ink) -> list[AnyFound]:
-    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels."""
+    """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels.
+
+    Where there is no answer, an edge may have been cut off: the sides of the picture that ink runs into are drawn too.
+    """
     exact = find_exact(ink)
     if exact is not None:
         return [exact]
+    found = _find_groups(ink)
+    if not any(map(_is_answer, found)) and (closed := closed_at_border(ink)) is not None:
+        again = _find_groups(closed)
+        return again if any(map(_is_answer, again)) else found
+    return found
+
+
+def _find_groups(ink: Ink) -> list[AnyFound]:
     found: list[AnyFound] = []
     vain = 0
     for group in split_groups(ink):
@@ -56,13 +67,17 @@ def find_all(ink: Ink) -> list[AnyFound]:
         if vain >= MOST_VAIN:
             break
         best = find_one(group)
-        vain += best is None or best.confidence < REFUSE_BELOW
-        if best is not None and (best.confidence >= REFUSE_BELOW or not found):
+        vain += best is None or not _is_answer(best)
+        if best is not None and (_is_answer(best) or not found):
             found.append(best.shifted(group.offset))
-            found.sort(key=lambda f: -(f.confidence >= REFUSE_BELOW) * f.size)
+            found.sort(key=lambda f: -_is_answer(f) * f.size)
     if len(found) > 1:
-        found = [f for f in found if f.confidence >= REFUSE_BELOW] or found[:1]
+        found = [f for f in found if _is_answer(f)] or found[:1]
     return found
+
+
+def _is_answer(found: AnyFound) -> bool:
+    return found.confidence >= REFUSE_BELOW
 
 
 def find_one(group: Group) -> AnyFound | None:

@@ -1,0 +1,35 @@
+"""Drawings cut off by the border of the picture: an edge that lay along it is lost, its ends run into the border."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from sketch2shape.model import Bools, Ink
+
+LEAST_CUT = 0.08
+"""Distance between the places where ink runs into one side of the picture, as a part of the ink's extent, at least."""
+
+
+def closed_at_border(ink: Ink) -> Ink | None:
+    """The ink with lines along those sides of the picture that it runs into in two places; None if there are none.
+
+    The picture is as wide and high as the ink's mask; a page that is seen whole has nothing cut off.
+    """
+    if ink.page is not None or ink.lines is not None or not ink.mask.any():
+        return None
+    pen = max(1, round(ink.pen_width))
+    mask = ink.mask.copy()
+    is_closed = [_close(side, pen) for side in (mask, mask[::-1], mask.T, mask.T[::-1])]
+    return replace(ink, mask=mask) if any(is_closed) else None
+
+
+def _close(mask: Bools, pen: int) -> bool:
+    """Draw a line along the first rows of a mask between the outermost places where ink runs into them."""
+    touching = np.flatnonzero(mask[: max(1, pen // 2)].any(axis=0))
+    inked = np.flatnonzero(mask.any(axis=0))
+    if not len(touching) or touching[-1] - touching[0] < max(LEAST_CUT * np.ptp(inked), 3 * pen):
+        return False
+    mask[:pen, touching[0] : touching[-1] + 1] = True
+    return True
