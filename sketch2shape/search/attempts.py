@@ -18,7 +18,7 @@ from sketch2shape.evidence import Evidence, Sheet, sheet_for
 from sketch2shape.geometry import thinned
 from sketch2shape.hypotheses import Rings, opaque, united, walked, wireframe
 from sketch2shape.ink import Group, is_ruled
-from sketch2shape.search.neighbours import climbed
+from sketch2shape.search.neighbours import climbed, grown
 from sketch2shape.search.shortlist import ENOUGH, Judged, shortlist
 from sketch2shape.search.tolerances import (
     CLOSE,
@@ -241,6 +241,16 @@ def climbed_attempts(group: Group, skeleton: Skeleton, known: list[Attempt]) -> 
         own.sort(key=lambda judged: -judged[1].score)
         corners = np.concatenate([look.graph.points, look.traced.dash_ends])
         yield Attempt(look.number, look.traced, climbed(own, look.sheet, corners), look.sheet)
+
+
+def grown_attempts(group: Group, skeleton: Skeleton, best: Judged) -> Iterator[Attempt]:
+    """A last look at an answer that leaves more ink than a vertex costs: with more vertices, where strokes end.
+
+    Strokes that end close to each other share a corner: both ends of a chamfer may be one there.
+    """
+    for look in islice(_looks(group, skeleton, iter(())), 1):
+        ends = look.traced.strokes.ends.reshape(-1, 2)
+        yield Attempt(look.number, look.traced, grown(best, look.sheet, ends), look.sheet)
 
 
 def _early(looks: list[_Look]) -> list[_Look]:

@@ -7,7 +7,9 @@ add one. From a hypothesis that explains a part of the drawing the search climbs
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import permutations
+from typing import TypeAlias
 
 import numpy as np
 
@@ -22,6 +24,8 @@ MOST_CLIMBED = 6
 """Steps of a climb."""
 FARTHEST = 0.2
 """Way of a vertex in one step, as a fraction of the drawing's size."""
+CHAMFER = 0.4
+"""Way of a vertex that becomes two, over that of one that moves."""
 NEAREST = 6
 """Corners that are tried for a vertex, the nearest."""
 VERTEX = 0.012
@@ -36,18 +40,26 @@ MOVED = 1.0
 """Pixels by which a vertex has to move to be elsewhere."""
 
 
+_Neighbours: TypeAlias = Callable[[Rings, Evidence, Floats, float], Iterator[Stack]]
+
+
 def climbed(known: list[Judged], sheet: Sheet, corners: Floats) -> list[Judged]:
     """Better hypotheses than the best few of those known; corners (k, 2): where vertices may be, pixels."""
-    simple = [judged for judged in known if len(judged[0].sizes) == 1]
-    tops = [_climbed(start, sheet, corners) for start in simple[:STARTS] if len(corners)]
+    tops = [_climbed(start, sheet, corners, _neighbours) for start in known[:STARTS]]
     return sorted((top for top in tops if top is not None), key=_worth, reverse=True)
 
 
-def _climbed(best: Judged, sheet: Sheet, corners: Floats) -> Judged | None:
-    """The top of the climb from a hypothesis, if there is one."""
+def grown(best: Judged, sheet: Sheet, corners: Floats) -> list[Judged]:
+    """The hypothesis with as many more vertices as it gains by, if any; corners (k, 2): where they may be, pixels."""
+    top = _climbed(best, sheet, corners, _with_one_more)
+    return [] if top is None else [top]
+
+
+def _climbed(best: Judged, sheet: Sheet, corners: Floats, neighbours: _Neighbours) -> Judged | None:
+    """The top of the climb from a hypothesis, if there is one; faces with holes stay as they are."""
     found = None
-    for _ in range(MOST_CLIMBED):
-        above = [_best_of(moves, sheet, _worth(best)) for moves in _neighbours(*best, corners, FARTHEST * sheet.size)]
+    for _ in range(MOST_CLIMBED if len(best[0].sizes) == 1 and len(corners) else 0):
+        above = [_best_of(moves, sheet, _worth(best)) for moves in neighbours(*best, corners, FARTHEST * sheet.size)]
         higher = [judged for judged in above if judged is not None]
         if not higher:
             break
@@ -75,23 +87,36 @@ def _best_of(moves: Stack, sheet: Sheet, worth: float) -> Judged | None:
 
 
 def _neighbours(rings: Rings, evidence: Evidence, corners: Floats, far: float) -> Iterator[Stack]:
-    """Hypotheses with a vertex elsewhere, one less, or one more."""
-    front, back, seen = rings.front[0], rings.back[0], evidence.drawn
+    """Hypotheses with a vertex elsewhere, one less, or one more; far: the way of a vertex at most, pixels."""
+    front, back = rings.front[0], rings.back[0]
     n = len(front)
-    yield _moved(front, back, seen, corners, far)
+    yield _moved(front, back, evidence.drawn, corners, far)
     if n > 3:
         yield stack([Rings((np.delete(front, i, 0),), (np.delete(back, i, 0),)) for i in range(n)])
-    if n < MOST_VERTICES:
-        after = np.roll(np.arange(n), -1)
-        middle, half = (front + front[after]) / 2, np.hypot(*(front[after] - front).T) / 2
-        edge, corner = _near(middle, corners, np.maximum(1.5 * half, far))
-        way = (back + back[after] - front - front[after]) / 2
-        more = [
-            Rings((np.insert(front, i + 1, c, 0),), (np.insert(back, i + 1, c + way[i], 0),))
-            for i, c in zip(edge.tolist(), corners[corner], strict=True)
-        ]
-        if more:
-            yield stack(more)
+    yield from _with_one_more(rings, evidence, corners, far)
+
+
+def _with_one_more(rings: Rings, _: Evidence, corners: Floats, far: float) -> Iterator[Stack]:
+    """Hypotheses with an edge that goes by way of a corner, or with two corners for a vertex: a chamfer."""
+    front, back = rings.front[0], rings.back[0]
+    n = len(front)
+    after = np.roll(np.arange(n), -1)
+    half = np.hypot(*(front[after] - front).T) / 2
+    edge, by = _near((front + front[after]) / 2, corners, np.maximum(1.5 * half, far))
+    way = back - front
+    more = [
+        Rings((np.insert(front, i + 1, c, 0),), (np.insert(back, i + 1, c + (way[i] + way[after[i]]) / 2, 0),))
+        for i, c in zip(edge.tolist(), corners[by], strict=True)
+    ]
+    vertex, near = _near(front, corners, np.full(n, CHAMFER * far))
+    for i in range(n):
+        for p, q in permutations(corners[near[vertex == i]], 2):
+            cut = np.insert(front, i, p, 0)
+            cut[i + 1] = q
+            ways = np.insert(way, i, way[i], 0)
+            more.append(Rings((cut,), (cut + ways,)))
+    if more and n < MOST_VERTICES:
+        yield stack(more)
 
 
 def _moved(front: Floats, back: Floats, seen: Bools, corners: Floats, far: float) -> Stack:

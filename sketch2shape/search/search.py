@@ -33,7 +33,15 @@ from sketch2shape.fit import EXACT, on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
 from sketch2shape.ink import Group
 from sketch2shape.model import TRUSTED, Floats
-from sketch2shape.search.attempts import GOOD, Attempt, attempts, climbed_attempts, is_sound, second_attempts
+from sketch2shape.search.attempts import (
+    GOOD,
+    Attempt,
+    attempts,
+    climbed_attempts,
+    grown_attempts,
+    is_sound,
+    second_attempts,
+)
 from sketch2shape.search.exact import Verified
 from sketch2shape.search.tolerances import LEAST_INK, LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
 from sketch2shape.strokes import Skeleton, bridged, thin
@@ -138,6 +146,9 @@ def find(seen: Observed) -> Found | None:
             break
     else:
         best = best and _likeliest(best, found)
+    if best is not None and best.confidence >= TRUSTED and not _leaves_nothing(best):
+        _search(grown_attempts(seen.group, seen.skeleton, (best.rings, best.evidence)), seen.view, found)
+        best = _told(_best(found))
     return best and _with_hidden(best)
 
 
