@@ -14,6 +14,7 @@ from typing import TypeAlias
 import numpy as np
 
 from sketch2shape.evidence import Evidence, Sheet, judge_stack, most_possible
+from sketch2shape.geometry import cross
 from sketch2shape.hypotheses import Rings, Stack, split, stack, which_plausible
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.search.shortlist import Judged
@@ -26,6 +27,8 @@ FARTHEST = 0.2
 """Way of a vertex in one step, as a fraction of the drawing's size."""
 CHAMFER = 0.4
 """Way of a vertex that becomes two, over that of one that moves."""
+BENT = 1.5
+"""Distance of an added vertex from its edge, over the reach of a line: one on the edge is where a foreign line ends."""
 NEAREST = 6
 """Corners that are tried for a vertex, the nearest."""
 VERTEX = 0.012
@@ -40,7 +43,7 @@ MOVED = 1.0
 """Pixels by which a vertex has to move to be elsewhere."""
 
 
-_Neighbours: TypeAlias = Callable[[Rings, Evidence, Floats, float], Iterator[Stack]]
+_Neighbours: TypeAlias = Callable[[Rings, Evidence, Floats, Sheet], Iterator[Stack]]
 
 
 def climbed(known: list[Judged], sheet: Sheet, corners: Floats) -> list[Judged]:
@@ -59,7 +62,7 @@ def _climbed(best: Judged, sheet: Sheet, corners: Floats, neighbours: _Neighbour
     """The top of the climb from a hypothesis, if there is one; faces with holes stay as they are."""
     found = None
     for _ in range(MOST_CLIMBED if len(best[0].sizes) == 1 and len(corners) else 0):
-        above = [_best_of(moves, sheet, _worth(best)) for moves in neighbours(*best, corners, FARTHEST * sheet.size)]
+        above = [_best_of(moves, sheet, _worth(best)) for moves in neighbours(*best, corners, sheet)]
         higher = [judged for judged in above if judged is not None]
         if not higher:
             break
@@ -86,27 +89,29 @@ def _best_of(moves: Stack, sheet: Sheet, worth: float) -> Judged | None:
     return (split(some.vertices[k], some.sizes), judged[k]) if judged[k].score >= least else None
 
 
-def _neighbours(rings: Rings, evidence: Evidence, corners: Floats, far: float) -> Iterator[Stack]:
-    """Hypotheses with a vertex elsewhere, one less, or one more; far: the way of a vertex at most, pixels."""
+def _neighbours(rings: Rings, evidence: Evidence, corners: Floats, sheet: Sheet) -> Iterator[Stack]:
+    """Hypotheses with a vertex elsewhere, one less, or one more."""
     front, back = rings.front[0], rings.back[0]
     n = len(front)
-    yield _moved(front, back, evidence.drawn, corners, far)
+    yield _moved(front, back, evidence.drawn, corners, FARTHEST * sheet.size)
     if n > 3:
         yield stack([Rings((np.delete(front, i, 0),), (np.delete(back, i, 0),)) for i in range(n)])
-    yield from _with_one_more(rings, evidence, corners, far)
+    yield from _with_one_more(rings, evidence, corners, sheet)
 
 
-def _with_one_more(rings: Rings, _: Evidence, corners: Floats, far: float) -> Iterator[Stack]:
-    """Hypotheses with an edge that goes by way of a corner, or with two corners for a vertex: a chamfer."""
+def _with_one_more(rings: Rings, _: Evidence, corners: Floats, sheet: Sheet) -> Iterator[Stack]:
+    """Hypotheses with an edge that goes by way of a corner beside it, or with two corners for a vertex: a chamfer."""
     front, back = rings.front[0], rings.back[0]
-    n = len(front)
+    n, far, least = len(front), FARTHEST * sheet.size, BENT * sheet.reach
     after = np.roll(np.arange(n), -1)
-    half = np.hypot(*(front[after] - front).T) / 2
-    edge, by = _near((front + front[after]) / 2, corners, np.maximum(1.5 * half, far))
+    span = front[after] - front
+    length = np.hypot(*span.T)
+    edge, by = _near((front + front[after]) / 2, corners, np.maximum(0.75 * length, far))
+    is_bent = np.abs(cross(corners[by] - front[edge], span[edge])) > least * length[edge]
     way = back - front
     more = [
         Rings((np.insert(front, i + 1, c, 0),), (np.insert(back, i + 1, c + (way[i] + way[after[i]]) / 2, 0),))
-        for i, c in zip(edge.tolist(), corners[by], strict=True)
+        for i, c in zip(edge[is_bent].tolist(), corners[by[is_bent]], strict=True)
     ]
     vertex, near = _near(front, corners, np.full(n, CHAMFER * far))
     for i in range(n):

@@ -148,8 +148,15 @@ def find(seen: Observed) -> Found | None:
         best = best and _likeliest(best, found)
     if best is not None and best.confidence >= TRUSTED and not _leaves_nothing(best):
         _search(grown_attempts(seen.group, seen.skeleton, (best.rings, best.evidence)), seen.view, found)
-        best = _told(_best(found))
+        other = _told(_best(found))
+        best = other if other is not None and _is_cheaper(other, best) else best
     return best and _with_hidden(best)
+
+
+def _is_cheaper(other: Found, best: Found) -> bool:
+    """Whether it costs less under any hand: a vertex more for every wobble always makes less noise."""
+    priced = [f.compared.energy(np.inf).total for f in (other, best) if f.compared is not None]
+    return len(priced) == 2 and priced[0] < priced[1] - TIE
 
 
 def _likeliest(best: Found, found: list[Found]) -> Found:

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from sketches import DEPTH, L_SHAPE, SQUARE, prism, sheet_of
+from sketches import DEPTH, L_SHAPE, SQUARE, line, prism, sheet_of
 
 from sketch2shape.evidence import judge
 from sketch2shape.hypotheses.hypothesis import Rings
-from sketch2shape.search.neighbours import LARGEST, MOST_VERTICES, _completed, _neighbours, climbed
+from sketch2shape.search.neighbours import LARGEST, MOST_VERTICES, _completed, _neighbours, climbed, grown
 
 CORNERS = np.concatenate([SQUARE, SQUARE + DEPTH, [[200.0, 200]]])
 REMOVED = sheet_of(prism(SQUARE, SQUARE + DEPTH, "removed"), reach=3.0)
@@ -60,7 +60,7 @@ def test_tops_come_best_first_and_faces_with_holes_are_left_alone():
 
 def test_neighbours_differ_by_one_vertex_of_the_front():
     box = Rings((SQUARE,), (SQUARE + DEPTH,))
-    elsewhere, fewer, more = _neighbours(box, judge(box, REMOVED), CORNERS, 100.0)
+    elsewhere, fewer, more = _neighbours(box, judge(box, REMOVED), CORNERS, REMOVED)
     front = elsewhere.vertices[:, :4]
     assert ((front != SQUARE).any(axis=2).sum(axis=1) <= 1).all()
     assert fewer.sizes == (3,)
@@ -68,7 +68,19 @@ def test_neighbours_differ_by_one_vertex_of_the_front():
     assert more.sizes == (5,)
     ring = np.concatenate([L_SHAPE, L_SHAPE * 0.5, L_SHAPE * 0.25])[:MOST_VERTICES]
     full = Rings((ring,), (ring + DEPTH,))
-    assert [s.sizes for s in _neighbours(full, judge(full, REMOVED), CORNERS, 100.0)] == [(16,), (15,)]
+    assert [s.sizes for s in _neighbours(full, judge(full, REMOVED), CORNERS, REMOVED)] == [(16,), (15,)]
+
+
+def test_a_chamfer_is_found_and_a_vertex_on_an_edge_is_none():
+    cut = np.array([[120.0, 140], [250, 140], [270, 165], [270, 290], [120, 290]])
+    sheet = sheet_of(prism(cut, cut + DEPTH), reach=3.0)
+    start = Rings((SQUARE,), (SQUARE + DEPTH,))
+    ((found, _),) = grown((start, judge(start, sheet)), sheet, cut)
+    assert np.array_equal(found.front[0], cut)
+    assert np.allclose(found.back[0], cut + DEPTH)
+    # a line from edge to edge along the others
+    lined = line(prism(SQUARE, SQUARE + DEPTH), [195, 140], np.array([195, 140]) + DEPTH)
+    assert grown((start, judge(start, sheet_of(lined))), sheet_of(lined), np.array([[195.0, 140]])) == []
 
 
 def test_hidden_vertices_follow_those_that_are_seen():
