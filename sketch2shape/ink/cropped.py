@@ -11,6 +11,9 @@ from sketch2shape.model import Bools, Ink
 LEAST_CUT = 0.08
 """Distance between the places where ink runs into one side of the picture, as a part of the ink's extent, at least."""
 
+MOST_CUTS = 8
+"""Places where ink runs into one side of the picture, beyond which it is a texture, a table or a page of text."""
+
 
 def closed_at_border(ink: Ink) -> Ink | None:
     """The ink with lines along those sides of the picture that it runs into in two places; None if there are none.
@@ -29,7 +32,8 @@ def _close(mask: Bools, pen: int) -> bool:
     """Draw a line along the first rows of a mask between the outermost places where ink runs into them."""
     touching = np.flatnonzero(mask[: max(1, pen // 2)].any(axis=0))
     inked = np.flatnonzero(mask.any(axis=0))
-    if not len(touching) or touching[-1] - touching[0] < max(LEAST_CUT * np.ptp(inked), 3 * pen):
+    runs = np.count_nonzero(np.diff(touching) > 1) + 1
+    if not len(touching) or runs > MOST_CUTS or touching[-1] - touching[0] < max(LEAST_CUT * np.ptp(inked), 3 * pen):
         return False
     mask[:pen, touching[0] : touching[-1] + 1] = True
     return True

@@ -35,8 +35,8 @@ VERTEX = 0.012
 """Score that a vertex has to bring: simplification gives as much for one."""
 GAIN = 0.003
 """Score that a step has to bring."""
-MOST_VERTICES = 16
-"""Vertices of a face, to which none is added."""
+MOST_VERTICES = 12
+"""Vertices of a face from which no search climbs: with more of them a curve is a polygon."""
 SMALLEST, LARGEST = 0.4, 2.5
 """Size of the back face over the front face's where its hidden vertices are placed."""
 MOVED = 1.0
@@ -48,7 +48,8 @@ _Neighbours: TypeAlias = Callable[[Rings, Evidence, Floats, Sheet], Iterator[Sta
 
 def climbed(known: list[Judged], sheet: Sheet, corners: Floats) -> list[Judged]:
     """Better hypotheses than the best few of those known; corners (k, 2): where vertices may be, pixels."""
-    tops = [_climbed(start, sheet, corners, _neighbours) for start in known[:STARTS]]
+    simple = [start for start in known if max(start[0].sizes) <= MOST_VERTICES]
+    tops = [_climbed(start, sheet, corners, _neighbours) for start in simple[:STARTS]]
     return sorted((top for top in tops if top is not None), key=_worth, reverse=True)
 
 

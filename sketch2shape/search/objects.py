@@ -52,7 +52,8 @@ def find_all(ink: Ink) -> list[AnyFound]:
     if exact is not None:
         return [exact]
     found = _find_groups(ink)
-    if not any(map(_is_answer, found)) and (closed := closed_at_border(ink)) is not None:
+    # where nothing was found at all, there is no drawing
+    if found and not any(map(_is_answer, found)) and (closed := closed_at_border(ink)) is not None:
         again = _find_groups(closed)
         return again if any(map(_is_answer, again)) else found
     return found
