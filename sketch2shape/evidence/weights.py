@@ -1,52 +1,52 @@
 """Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."""
 
 CENTRE = (
-    0.0977,  # unexplained
-    0.0574,  # attached
-    0.0163,  # closed
-    0.3888,  # loose
-    0.0951,  # weakest
-    0.445,  # noise
-    1.657,  # vertices
-    0.1341,  # unseen
-    0.0212,  # bend
-    0.0625,  # flat
-    3.3259,  # shallow
-    5.1134,  # small
-    0.0558,  # doubled
-    1.3027,  # map
+    0.1081,  # unexplained
+    0.0625,  # attached
+    0.0194,  # closed
+    0.436,  # loose
+    0.0993,  # weakest
+    0.4248,  # noise
+    1.6348,  # vertices
+    0.1262,  # unseen
+    0.0193,  # bend
+    0.0694,  # flat
+    3.2884,  # shallow
+    5.0293,  # small
+    0.0631,  # doubled
+    1.32,  # map
 )
 SPREAD = (
-    0.1748,  # unexplained
-    0.1065,  # attached
-    0.0624,  # closed
-    0.823,  # loose
-    0.2068,  # weakest
-    0.704,  # noise
-    0.38,  # vertices
-    0.2123,  # unseen
-    0.0553,  # bend
-    0.2421,  # flat
-    0.866,  # shallow
-    0.6235,  # small
-    0.1671,  # doubled
-    0.2214,  # map
+    0.1791,  # unexplained
+    0.1076,  # attached
+    0.0693,  # closed
+    0.8721,  # loose
+    0.2007,  # weakest
+    0.6992,  # noise
+    0.3677,  # vertices
+    0.206,  # unseen
+    0.0485,  # bend
+    0.2542,  # flat
+    0.8842,  # shallow
+    0.6471,  # small
+    0.1775,  # doubled
+    0.2243,  # map
 )
 WEIGHT = (
-    2.4452,  # whole
-    0.0,  # unexplained
-    -0.56,  # attached
-    -0.5297,  # closed
-    -1.2773,  # loose
-    -0.0411,  # weakest
-    -0.5887,  # noise
-    -0.0971,  # vertices
-    -0.4106,  # unseen
-    -0.542,  # bend
+    2.2886,  # whole
+    -0.0222,  # unexplained
+    -0.4804,  # attached
+    -0.5309,  # closed
+    -1.1746,  # loose
+    -0.293,  # weakest
+    -0.2885,  # noise
+    -0.4548,  # vertices
+    0.0,  # unseen
+    -0.9617,  # bend
     0.0,  # flat
-    0.8625,  # shallow
-    0.5952,  # small
-    -1.0909,  # doubled
-    -0.5313,  # map
+    0.4564,  # shallow
+    0.8066,  # small
+    -0.8124,  # doubled
+    -0.7999,  # map
 )
-BIAS = 1.2115
+BIAS = 0.941
