@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
+from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.ink import closed_at_border
 from sketch2shape.search import find_all
 
@@ -57,4 +58,4 @@ def test_what_is_no_object_stays_none():
     lines = paper()
     for x in (100, 300):
         line(lines, [x, 150], [x, 400], 4)
-    assert confidence_of(find_all(ink_of(lines))) < 0.14
+    assert confidence_of(find_all(ink_of(lines))) < REFUSE_BELOW
