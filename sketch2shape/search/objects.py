@@ -55,7 +55,7 @@ def find_all(ink: Ink) -> list[AnyFound]:
     # where nothing was found at all, there is no drawing
     if found and not any(map(_is_answer, found)) and (closed := closed_at_border(ink)) is not None:
         again = _find_groups(closed)
-        return again if any(map(_is_answer, again)) else found
+        return again if any(f.confidence >= EVEN_ODDS for f in again) else found
     return found
 
 

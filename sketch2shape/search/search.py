@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 import numpy as np
 
 from sketch2shape.evidence import (
     PERFECT,
+    REFUSE_BELOW,
     Comparison,
     Energy,
     Evidence,
@@ -63,6 +63,8 @@ TIE = 3.0
 WITNESSED, LOG_ODDS = 10.0, 4.6
 """Nats that log odds of one, which witnesses give, are worth in a doubtful drawing; and log odds beyond which they say
 no more. Chosen on pictures of people and programs and drawings of the generator."""
+EVEN_ODDS, BARE = 0.5, 0.05
+"""Confidence below which an answer is likelier wrong than right; part of an edge with ink below which it has none."""
 COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
 MAIN = 0.5
@@ -137,15 +139,15 @@ def find(seen: Observed) -> Found | None:
 
     An answer that can be trusted needs no second look: of 106 such answers it changed two, none for the better.
     """
-    tried: list[Attempt] = []
-    found: list[Found] = []
-    for look in (attempts, second_attempts, partial(climbed_attempts, known=tried)):
+    tried, found = list[Attempt](), list[Found]()
+    for look in (attempts, second_attempts):
         _search(_noted(look(seen.group, seen.skeleton), tried), seen.view, found)
         best = _told(_best(found))
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
     else:
-        best = best and _likeliest(best, found)
+        _search(climbed_attempts(seen.group, seen.skeleton, tried), seen.view, found)
+        best = _likelier(best, _told(_best(found)), found)
     if best is not None and best.confidence >= TRUSTED and not _leaves_nothing(best):
         _search(grown_attempts(seen.group, seen.skeleton, (best.rings, best.evidence)), seen.view, found)
         other = _told(_best(found))
@@ -159,10 +161,16 @@ def _is_cheaper(other: Found, best: Found) -> bool:
     return len(priced) == 2 and priced[0] < priced[1] - TIE
 
 
+def _likelier(known: Found | None, best: Found | None, found: list[Found]) -> Found | None:
+    """The answer after a climb. In any tangle it finds something: what was none before has to be likelier right."""
+    other, is_none = best and _likeliest(best, found), known is None or known.confidence < REFUSE_BELOW
+    return known if other is None or (is_none and other.confidence < EVEN_ODDS) else other
+
+
 def _likeliest(best: Found, found: list[Found]) -> Found:
     """Of hypotheses that cost hardly more than the best, the one that the witnesses speak for most."""
-    limit = _total(best) + WITNESSED * LOG_ODDS
-    rivals = [told for f in _priced(found) if _total(f) < limit and (told := _told(f)) is not None]
+    most = _total(best) + WITNESSED * LOG_ODDS
+    rivals = [told for f in _priced(found) if _total(f) < most and (told := _told(f)) is not None]
     other = min(rivals, key=_doubted, default=best)
     return other if _doubted(other) < _doubted(best) - TIE else best
 
@@ -194,7 +202,9 @@ def _told(best: Found | None) -> Found | None:
     if best is None or best.energy is None or best.compared is None:
         return None
     told = witnesses(best.rings, best.energy, best.compared, best.evidence)
-    return replace(best, witnesses=told, confidence=confidence(told))
+    sure = confidence(told)
+    is_none = sure < EVEN_ODDS and best.evidence.weakest < BARE  # doubtful, and an edge that nobody has drawn
+    return replace(best, witnesses=told, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
 
 
 def _search(tries: Iterable[Attempt], view: View, found: list[Found]) -> None:

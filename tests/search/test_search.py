@@ -11,7 +11,7 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, pr
 from sketch2shape.geometry.homology import apply
 from sketch2shape.ink import split_groups
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
-from sketch2shape.search.search import DENSE, LOG_ODDS, TIE, WITNESSED, _doubted, _likeliest, _search
+from sketch2shape.search.search import DENSE, LOG_ODDS, TIE, WITNESSED, _doubted, _likelier, _likeliest, _search
 from synthetic.hand import RULER
 from synthetic.negatives import NEGATIVES
 from synthetic.pens import Pen
@@ -213,3 +213,14 @@ def test_writing_and_scribbles_are_not_searched_but_busy_wireframes_are():
     assert not is_searched(letters)
     assert is_searched(grid)
     assert is_searched(prism(COMB, COMB + [70, -45]))
+
+
+def test_what_a_climb_finds_where_nothing_was_has_to_be_likelier_right(monkeypatch):
+    monkeypatch.setattr(search, "_likeliest", lambda best, _: best)
+    none, some = _priced_at(100.0, 0.1), _priced_at(100.0, 0.3)
+    low, even = _priced_at(90.0, 0.49), _priced_at(90.0, 0.5)
+    assert _likelier(none, low, []) is none
+    assert _likelier(None, low, []) is None
+    assert _likelier(none, even, []) is even
+    assert _likelier(some, low, []) is low
+    assert _likelier(some, None, []) is some
