@@ -86,7 +86,9 @@ def _choice(spans: Spans, field: Field) -> tuple[Ints, float]:
     rows = np.concatenate([spans.first, spans.second, np.arange(n), n + np.arange(c), n + np.arange(c)])
     columns = np.concatenate([own, own, e + np.arange(n), one, other])
     values = np.concatenate([np.ones(2 * e), np.full(n, -2.0), np.ones(2 * c)])
-    table = coo_array((values, (rows, columns)), shape=(n + c, e + n)).tocsr()
+    table = coo_array((values, (rows, columns)), shape=(n + c, e + n)).tocsc()
+    # older versions of the solver take no longer numbers
+    table.indices, table.indptr = table.indices.astype(np.int32), table.indptr.astype(np.int32)
     limits = LinearConstraint(table, np.append(np.zeros(n), np.full(c, -1.0)), np.append(np.zeros(n), np.ones(c)))
     found = milp(
         -gain, constraints=limits, integrality=np.ones(e + n), bounds=Bounds(0, 1), options={"node_limit": MOST_STEPS}
