@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketch2shape.evidence.calibration import REFUSE_BELOW, Weights, confidence
+from sketch2shape.evidence.calibration import EVEN_ODDS, REFUSE_BELOW, Weights, confidence
 from sketch2shape.evidence.detectors_agree import vouched
 from sketch2shape.evidence.energy import Comparison, Energy, compare, nearest_edges, with_hidden
 from sketch2shape.evidence.exact import exactly_drawn
@@ -16,6 +16,7 @@ from sketch2shape.evidence.view import View, observe
 from sketch2shape.evidence.witness import WITNESSES, witnesses
 
 __all__ = [
+    "EVEN_ODDS",
     "PERFECT",
     "REFUSE_BELOW",
     "SWEEP_WITNESSES",

@@ -16,6 +16,8 @@ from sketch2shape.model import Floats
 
 REFUSE_BELOW = 0.19
 """Confidence below which an answer is no answer: of sixteen between 0.14 and this none was right."""
+EVEN_ODDS = 0.5
+"""Confidence below which an answer is likelier wrong than right."""
 FARTHEST = 4.0
 """Spreads from the mean beyond which a witness says no more: no drawing of the fit lay further off."""
 WHOLE = {

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sketch2shape.model import Floats
+from sketch2shape.model import Bools, Floats
 
 
 def apply(maps: Floats, points: Floats) -> Floats:
@@ -35,6 +35,21 @@ def similarity(src: Floats, dst: Floats) -> Floats:
     p, q = src.mean(axis=-2), dst.mean(axis=-2)
     a, b = src - p[..., None, :], dst - q[..., None, :]
     s = np.maximum((a * b).sum(axis=(-2, -1)) / ((a * a).sum(axis=(-2, -1)) + 1e-12), 1e-3)
+    maps = translation(q - s[..., None] * p)
+    maps[..., 0, 0] = maps[..., 1, 1] = s
+    return maps
+
+
+def similarity_of_seen(src: Floats, dst: Floats, seen: Bools, least: float = 1e-3, most: float = np.inf) -> Floats:
+    """`similarity` of the seen (..., k) of corresponding points (..., k, 2): (..., 3, 3); of one a translation.
+
+    least, most : bounds of s
+    """
+    some, count = seen[..., None], np.maximum(seen.sum(axis=-1), 1)
+    p, q = ((points * some).sum(axis=-2) / count[..., None] for points in (src, dst))
+    a, b = (src - p[..., None, :]) * some, (dst - q[..., None, :]) * some
+    s = np.clip((a * b).sum(axis=(-2, -1)) / ((a * a).sum(axis=(-2, -1)) + 1e-12), least, most)
+    s = np.where(count == 1, 1.0, s)
     maps = translation(q - s[..., None] * p)
     maps[..., 0, 0] = maps[..., 1, 1] = s
     return maps

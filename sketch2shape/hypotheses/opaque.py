@@ -223,12 +223,7 @@ def _with_rest(ring: Floats, pulled: Floats, seen: Bools, graph: CornerGraph) ->
 
     Such a vertex lies on a corner if there is one close by.
     """
-    count = seen.sum(axis=1)[:, None]
-    p, q = seen @ ring / count, (pulled * seen[..., None]).sum(axis=1) / count
-    a, b = (ring - p[:, None]) * seen[..., None], (pulled - q[:, None]) * seen[..., None]
-    scale = np.maximum((a * b).sum(axis=(1, 2)) / ((a * a).sum(axis=(1, 2)) + 1e-12), 1e-3)[:, None]
-    scale[count == 1] = 1.0
-    image = scale[..., None] * ring + (q - scale * p)[:, None]
+    image = homology.apply(homology.similarity_of_seen(ring, pulled, seen), ring)
     face, vertex = np.nonzero(~seen)
     rest = image[face, vertex]
     if len(graph.points):

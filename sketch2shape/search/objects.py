@@ -8,15 +8,16 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.evidence import REFUSE_BELOW
+from sketch2shape.evidence import EVEN_ODDS, REFUSE_BELOW
 from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, closed_at_border, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.found_sweep import FoundSweep
-from sketch2shape.search.search import Found, find, observed
-from sketch2shape.search.sweeping import EVEN_ODDS, SLIGHT, find_sweep
+from sketch2shape.search.observed import observed
+from sketch2shape.search.search import Found, find
+from sketch2shape.search.sweeping import SLIGHT, find_sweep
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_PATH
 

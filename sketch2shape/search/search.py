@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from sketch2shape.evidence import (
+    EVEN_ODDS,
     PERFECT,
     REFUSE_BELOW,
     Comparison,
@@ -25,13 +26,11 @@ from sketch2shape.evidence import (
     confidence,
     is_dashed,
     judge,
-    observe,
     with_hidden,
     witnesses,
 )
 from sketch2shape.fit import EXACT, on_map, refine, simplified
 from sketch2shape.hypotheses import Rings, coincide, plausible, split
-from sketch2shape.ink import Group
 from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import (
     GOOD,
@@ -43,8 +42,8 @@ from sketch2shape.search.attempts import (
     second_attempts,
 )
 from sketch2shape.search.exact import Verified
-from sketch2shape.search.tolerances import LEAST_INK, LEAST_TRACE, PEN_TRACE, Traced, in_threes, is_wireframe
-from sketch2shape.strokes import Skeleton, bridged, thin
+from sketch2shape.search.observed import DENSE, Observed
+from sketch2shape.search.tolerances import Traced, is_wireframe
 
 HOPELESS = 0.1
 """Refinement rarely gains more than this."""
@@ -63,19 +62,12 @@ TIE = 3.0
 WITNESSED, LOG_ODDS = 10.0, 4.6
 """Nats that log odds of one, which witnesses give, are worth in a doubtful drawing; and log odds beyond which they say
 no more. Chosen on pictures of people and programs and drawings of the generator."""
-EVEN_ODDS, BARE = 0.5, 0.05
-"""Confidence below which an answer is likelier wrong than right; part of an edge with ink below which it has none."""
+BARE = 0.05
+"""Part of an edge with ink below which it has none."""
 COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
 MAIN = 0.5
 """Part of the ink from which on an answer that is drawn whole tells the noise of the hand, whatever else is drawn."""
-DENSE = 150
-"""Strokes beyond which ink that the first round cannot explain at all is a scribble."""
-TANGLED = 0.16
-"""Part of the stroke ends that meet in threes below which so many strokes are a scribble: an eighth in one, a quarter
-and more in drawings with as many."""
-MOST_PATHS = 2500
-"""Branches of the skeleton beyond which the ink is a texture or a page of text, not a drawing."""
 
 
 @dataclass(frozen=True)
@@ -92,46 +84,6 @@ class Found(Verified):
     compared: Comparison | None = None
     energy: Energy | None = None
     witnesses: Floats | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Observed:
-    """A group of ink as all searches see it.
-
-    drawn    : the ink
-    group    : the same with gaps at corners bridged
-    skeleton : of it
-    view     : what hypotheses are held against
-    """
-
-    drawn: Group
-    group: Group
-    skeleton: Skeleton
-    view: View
-
-
-def observed(group: Group) -> Observed | None:
-    """A group of ink made ready for the search; None if it is no drawing of an object."""
-    skeleton = thin(group.ink)
-    if len(skeleton.points) < LEAST_INK or _is_no_drawing(group, skeleton):
-        return None
-    drawn = group
-    whole = bridged(skeleton, group.solid, max(LEAST_TRACE, PEN_TRACE * skeleton.pen_width))
-    if whole is not None:
-        group = replace(group, ink=replace(group.ink, mask=group.ink.mask | whole), solid=group.solid | whole)
-        skeleton = thin(group.ink)
-    return Observed(drawn, group, skeleton, observe(group, skeleton))
-
-
-def _is_no_drawing(group: Group, skeleton: Skeleton) -> bool:
-    """Whether the ink is a texture, a page of text, or a scribble whose many strokes end wherever they please."""
-    if len(skeleton.paths) > MOST_PATHS:
-        return True
-    if len(skeleton.paths) <= DENSE:
-        return False
-    traced = Traced(group, skeleton, max(LEAST_TRACE, PEN_TRACE * skeleton.pen_width))
-    strokes = len(traced.strokes.ends)
-    return not strokes or (strokes > DENSE and in_threes(traced.corners) < TANGLED)
 
 
 def find(seen: Observed) -> Found | None:

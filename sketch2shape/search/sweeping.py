@@ -13,9 +13,10 @@ from typing import TypeAlias
 
 import numpy as np
 
+from sketch2shape.evidence import EVEN_ODDS
 from sketch2shape.model import TRUSTED
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, priced
-from sketch2shape.search.search import Observed
+from sketch2shape.search.observed import Observed
 from sketch2shape.search.sweep_improvement import improved
 from sketch2shape.search.sweep_pairs import ALIKE, Pair, Scene, are_close, cut, pairs_of, pairs_of_rungs
 from sketch2shape.sweeps import Sweep, joined, redraw
@@ -32,8 +33,6 @@ MOST_IMPROVED = 3
 """Sweeps that are moved to the ink, the best of those that were begun."""
 MOST_GAINED = 150.0
 """Nats that a sweep gains at most by being moved to the ink; some 120 were seen where its holes were known."""
-EVEN_ODDS = 0.5
-"""Confidence below which an answer with arcs or a point is likelier wrong than right, and not given."""
 APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
 LEAST_BEHIND, BESIDE = 0.08, 0.02

@@ -66,3 +66,16 @@ def test_maps_come_in_stacks():
 def test_points_on_the_horizon_go_to_infinity():
     h = np.array([[1.0, 0, 0], [0, 1, 0], [-0.01, 0, 1]])
     assert homology.apply(h, np.array([[100.0, 0], [50, 0]])).tolist() == [[np.inf, np.inf], [100.0, 0.0]]
+
+
+def test_a_similarity_follows_the_seen_points_alone_within_bounds():
+    dst = 0.5 * POINTS + [7.0, -3]
+    lost = dst.copy()
+    lost[2] += 40
+    seen = np.arange(5) != 2
+    maps = homology.similarity_of_seen(POINTS[None], lost[None], seen[None])
+    assert np.allclose(homology.apply(maps, POINTS)[0], dst)
+    assert homology.similarity_of_seen(POINTS, dst, seen, least=0.8)[0, 0] == 0.8
+    assert homology.similarity_of_seen(POINTS, dst, seen, most=0.4)[0, 0] == 0.4
+    one = homology.similarity_of_seen(POINTS, dst, np.arange(5) == 1)
+    assert np.allclose(homology.apply(one, POINTS), POINTS + dst[1] - POINTS[1])

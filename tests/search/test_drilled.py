@@ -8,7 +8,8 @@ from sketches import DEPTH, SQUARE, ink_of, prism
 import sketch2shape as s2s
 from sketch2shape.ink import split_groups
 from sketch2shape.search.drilled import find_drilled
-from sketch2shape.search.search import find, observed
+from sketch2shape.search.observed import observed
+from sketch2shape.search.search import find
 from sketch2shape.sweeps import Frame, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
 

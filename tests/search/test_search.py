@@ -9,12 +9,8 @@ import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
 
 from sketch2shape.geometry.homology import apply
-from sketch2shape.ink import split_groups
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
 from sketch2shape.search.search import DENSE, LOG_ODDS, TIE, WITNESSED, _doubted, _likelier, _likeliest, _search
-from synthetic.hand import RULER
-from synthetic.negatives import NEGATIVES
-from synthetic.pens import Pen
 
 search = import_module("sketch2shape.search.search")
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
@@ -193,26 +189,6 @@ def test_only_an_answer_that_leaves_ink_and_is_not_trusted_gets_a_second_look(mo
     again.clear()
     assert found_in(picture)
     assert not again
-
-
-def test_writing_and_scribbles_are_not_searched_but_busy_wireframes_are():
-    rng = np.random.default_rng(3)
-    letters, grid = paper(), paper()
-    for x, y in [(x, y) for y in range(20, 380, 14) for x in range(20, 460, 18)]:
-        cv2.line(letters, (x, y), (x + 9, y + int(rng.integers(0, 9))), 0, 1)
-    for k in range(14):
-        cv2.line(grid, (40 + 30 * k, 30), (40 + 30 * k, 30 + 26 * 13), 0, 1)
-        cv2.line(grid, (40, 30 + 26 * k), (40 + 30 * 13, 30 + 26 * k), 0, 1)
-    layers = [NEGATIVES["scribble"]((1600, 1200), Pen(2.0), RULER, rng) for _ in range(3)]
-    scribble = np.round(255 * (1 - np.maximum.reduce(layers))).astype(np.uint8)
-
-    def is_searched(picture):
-        return search.observed(split_groups(ink_of(picture))[0]) is not None
-
-    assert not is_searched(scribble)
-    assert not is_searched(letters)
-    assert is_searched(grid)
-    assert is_searched(prism(COMB, COMB + [70, -45]))
 
 
 def test_what_a_climb_finds_where_nothing_was_has_to_be_likelier_right(monkeypatch):
