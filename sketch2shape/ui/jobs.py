@@ -23,7 +23,6 @@ _SHOWN = 1600  # longest side of the picture sent back to the page, pixels
 _MOST_CORNERS = 400  # that the page snaps to
 _MOST_LEFT = 40  # strokes that are told to fit nothing
 _MOST_SIDE = 40_000  # of a picture that corrections claim to belong to
-_EVEN = 0.5  # confidence below which what was found is rather wrong: the page shows it as a guess
 
 
 def warm_up() -> None:
@@ -73,7 +72,7 @@ def reconstruct_sketch(data: Any) -> dict[str, Any]:
 
 def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:
     """The answer; or the best guess, why it is no more, and the strokes that it leaves out."""
-    from sketch2shape.evidence import unexplained_strokes
+    from sketch2shape.evidence import EVEN_ODDS, unexplained_strokes
     from sketch2shape.ink import find_ink
     from sketch2shape.pipeline import reconstruct
 
@@ -84,7 +83,7 @@ def _found(picture: Picture) -> tuple[Answer, dict[str, Any] | None]:
         told = error.message, error.advice
     else:
         sure = min(obj.confidence for obj in answer.objects)  # proportions may be vague: other readings are offered
-        if sure >= _EVEN:
+        if sure >= EVEN_ODDS:  # others are likelier wrong than right, and shown as guesses
             return answer, None
         guess, told = answer, (f"no likely solid explains it (confidence {sure:.2f})", "to put its corners right")
     left = unexplained_strokes(find_ink(picture), guess.objects)[:_MOST_LEFT] if guess.objects else np.zeros((0, 2, 2))
