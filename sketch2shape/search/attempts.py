@@ -171,8 +171,26 @@ class _Look:
         return Attempt(self.number, self.traced, found, self.sheet)
 
 
-def _looks(group: Group, skeleton: Skeleton, steps: Iterator[int]) -> Iterator[_Look]:
-    """The rounds that promise anything, as far as the drawing alone can tell."""
+@dataclass(frozen=True, eq=False)
+class Looks:
+    """All looks at a drawing: what one pass over them has worked out the next need not."""
+
+    group: Group
+    skeleton: Skeleton
+
+    @cached_property
+    def rounds(self) -> list[_Look]:
+        """Those of the rounds that promise anything, as far as the drawing alone can tell."""
+        return list(_rounds(self.group, self.skeleton, iter(range(MOST_STEPS_IN_ALL))))
+
+    @cached_property
+    def close(self) -> _Look:
+        """A close look."""
+        steps = self.rounds[0].steps if self.rounds else iter(())
+        return _Look(len(self.rounds), CLOSE, Traced(self.group, self.skeleton, CLOSE.trace), steps)
+
+
+def _rounds(group: Group, skeleton: Skeleton, steps: Iterator[int]) -> Iterator[_Look]:
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0)))
     some = skeleton.points[thinned(len(skeleton.points), OUTLINED)]
     narrow = min(cv2.minAreaRect(some.astype(np.float32))[1])
@@ -187,20 +205,18 @@ def _looks(group: Group, skeleton: Skeleton, steps: Iterator[int]) -> Iterator[_
             yield look
 
 
-def attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
+def attempts(looks: Looks) -> Iterator[Attempt]:
     """Round after round, but for those that promise nothing new."""
-    steps = iter(range(MOST_STEPS_IN_ALL))
-    looks = list(_looks(group, skeleton, steps))
-    close = _Look(len(looks), CLOSE, Traced(group, skeleton, CLOSE.trace), steps)
+    rounds, close = looks.rounds, looks.close
     found: list[Attempt] = []
-    is_bent = bool(looks) and not looks[0].is_steady and close.traced.wobble < looks[0].traced.wobble / BENT
+    is_bent = bool(rounds) and not rounds[0].is_steady and close.traced.wobble < rounds[0].traced.wobble / BENT
     if is_bent:
         found.append(close.attempt())
         yield found[0]
-    early = _early(looks)
+    early = _early(rounds)
     for look in early:
         yield replace(look.wires, is_whole=False)
-    for look in _likely_first(looks):
+    for look in _likely_first(rounds):
         if look.number == 1 and found and found[-1].is_sound:
             continue
         if look.round.last_resort and found and max(a.score for a in found) >= CONTENT:
@@ -223,32 +239,31 @@ def _likely_first(looks: list[_Look]) -> list[_Look]:
     return sorted(looks, key=lambda look: (look.round.last_resort, look.number < COARSE))
 
 
-def second_attempts(group: Group, skeleton: Skeleton) -> Iterator[Attempt]:
+def second_attempts(looks: Looks) -> Iterator[Attempt]:
     """A second look at some of the rounds, for drawings that no round has explained."""
-    looks = list(_looks(group, skeleton, iter(range(MOST_STEPS_IN_ALL))))
-    united = looks[1:4:2] or looks
+    united = looks.rounds[1:4:2] or looks.rounds
     for look in united:
         yield look.second(True)
-    for look in looks:
+    for look in looks.rounds:
         if look not in united:
             yield look.second(False)
 
 
-def climbed_attempts(group: Group, skeleton: Skeleton, known: list[Attempt]) -> Iterator[Attempt]:
+def climbed_attempts(looks: Looks, known: list[Attempt]) -> Iterator[Attempt]:
     """A third look, for drawings that no other has explained: what lies around the hypotheses of other attempts."""
-    for look in _looks(group, skeleton, iter(())):
+    for look in looks.rounds:
         own = [judged for a in known if a.number == look.number for judged in a.shortlist]
         own.sort(key=lambda judged: -judged[1].score)
         corners = np.concatenate([look.graph.points, look.traced.dash_ends])
         yield Attempt(look.number, look.traced, climbed(own, look.sheet, corners), look.sheet)
 
 
-def grown_attempts(group: Group, skeleton: Skeleton, best: Judged) -> Iterator[Attempt]:
+def grown_attempts(looks: Looks, best: Judged) -> Iterator[Attempt]:
     """A last look at an answer that leaves more ink than a vertex costs: with more vertices, where strokes end.
 
     Strokes that end close to each other share a corner: both ends of a chamfer may be one there.
     """
-    for look in islice(_looks(group, skeleton, iter(())), 1):
+    for look in looks.rounds[:1]:
         ends = look.traced.strokes.ends.reshape(-1, 2)
         yield Attempt(look.number, look.traced, grown(best, look.sheet, ends), look.sheet)
 

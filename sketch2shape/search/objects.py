@@ -31,7 +31,7 @@ STRAY, SHORT, SHORT_PENS = 1.0, 5.0, 3.0
 """Pixels by which chords may stray from a line; pixels and pens of length below which they say nothing, as a pen
 rounds corners."""
 LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
-"""Bends of an arc at least, angle of one from which it is a corner, and of all together, radians."""
+"""Bends of an arc at least, angle of one from which it is a corner, and by which it turns to one side, radians."""
 
 LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
@@ -136,18 +136,22 @@ def bowed_part(skeleton: Skeleton, size: float) -> float:
 
 
 def _bowed_length(path: NDArray[Any], least: float, short: float) -> float:
-    """Length of those parts of a line that turn, and nowhere sharply: an arc's chords have many small turns."""
+    """Length of those parts of a line that turn, and nowhere sharply: an arc's chords have many small turns.
+
+    They turn to one side; those of a hand that trembles turn to either.
+    """
     if len(path) < max(least, 8):
         return 0.0
     bends = cv2.approxPolyDP(path[:, None].astype(np.float32), STRAY, False)[:, 0].astype(float)
     span = np.diff(bends, axis=0)
     long = np.hypot(*span.T)
-    turn = np.abs(np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1)))
+    turn = np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1))
     # the ends of a line are bent where it meets others
     turn[np.minimum(long[:-1], long[1:]) < short] = 0.0
-    parts = np.split(np.arange(len(span)), np.flatnonzero(turn >= SHARP) + 1)
+    parts = np.split(np.arange(len(span)), np.flatnonzero(np.abs(turn) >= SHARP) + 1)
     return float(sum(long[part].sum() for part in parts if _is_bowed(turn[part[:-1]], float(long[part].sum()), least)))
 
 
 def _is_bowed(turn: Floats, long: float, least: float) -> bool:
-    return bool(long >= least and np.count_nonzero(turn) >= LEAST_BENDS and float(turn.sum()) > LEAST_TURN)
+    heading = np.append(0.0, np.cumsum(turn))
+    return bool(long >= least and np.count_nonzero(turn) >= LEAST_BENDS and np.ptp(heading) > LEAST_TURN)

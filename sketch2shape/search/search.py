@@ -35,6 +35,7 @@ from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import (
     GOOD,
     Attempt,
+    Looks,
     attempts,
     climbed_attempts,
     grown_attempts,
@@ -91,17 +92,18 @@ def find(seen: Observed) -> Found | None:
 
     An answer that can be trusted needs no second look: of 106 such answers it changed two, none for the better.
     """
+    looks = Looks(seen.group, seen.skeleton)
     tried, found = list[Attempt](), list[Found]()
     for look in (attempts, second_attempts):
-        _search(_noted(look(seen.group, seen.skeleton), tried), seen.view, found)
+        _search(_noted(look(looks), tried), seen.view, found)
         best = _told(_best(found))
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
     else:
-        _search(climbed_attempts(seen.group, seen.skeleton, tried), seen.view, found)
+        _search(climbed_attempts(looks, tried), seen.view, found)
         best = _likelier(best, _told(_best(found)), found)
     if best is not None and best.confidence >= TRUSTED and not _leaves_nothing(best):
-        _search(grown_attempts(seen.group, seen.skeleton, (best.rings, best.evidence)), seen.view, found)
+        _search(grown_attempts(looks, (best.rings, best.evidence)), seen.view, found)
         other = _told(_best(found))
         best = other if other is not None and _is_cheaper(other, best) else best
     return best and _with_hidden(best)

@@ -30,6 +30,9 @@ SHARED = 0.5
 """Part of a span beside another from which on both are the same ink."""
 MOST_STEPS = 4000
 """Nodes of the search for the best choice."""
+MOST_SHARED = 4000
+"""Pairs of spans on the same ink beyond which none is chosen: wireframes have up to some 1,600, and of ten times as
+many no solver makes an end."""
 SMOOTH = 0.3
 """Angle, radians, up to which a line and an arc, or two arcs, run into each other smoothly."""
 
@@ -71,7 +74,10 @@ def _rings(chosen: Spans) -> list[tuple[Ints, Floats]]:
 
 
 def _choice(spans: Spans, field: Field) -> tuple[Ints, float]:
-    """The spans that explain the most ink, two at a node or none, none of it twice, and how much that is."""
+    """The spans that explain the most ink, two at a node or none, none of it twice, and how much that is.
+
+    None if too many are on the same ink.
+    """
     from scipy.optimize import Bounds, LinearConstraint, milp  # slow to load, and seldom needed
     from scipy.sparse import coo_array
 
@@ -82,6 +88,8 @@ def _choice(spans: Spans, field: Field) -> tuple[Ints, float]:
     price = np.where(spans.bulges == 0.0, LINE_PRICE, ARC_PRICE) * field.size
     gain = np.concatenate([long * worth_of(spans, field) - price, np.zeros(n)])
     one, other = _same_ink(spans, field)
+    if len(one) > MOST_SHARED:
+        return np.zeros(0, np.intp), 0.0
     own, c = np.arange(e), len(one)
     rows = np.concatenate([spans.first, spans.second, np.arange(n), n + np.arange(c), n + np.arange(c)])
     columns = np.concatenate([own, own, e + np.arange(n), one, other])

@@ -45,16 +45,19 @@ def reach_of(skeleton: Skeleton, size: float) -> float:
 
 
 def joints(skeleton: Skeleton) -> Floats:
-    """(k, 2) pixels, where lines meet or end."""
+    """(k, 2) pixels, where lines meet or end; of a texture only the first, a few more than are looked at."""
     near = max(ONE_JOINT, ONE_PENS * skeleton.pen_width)
-    kept: list[list[Floats]] = []
+    middle, ends = np.zeros((MOST_JOINTS + 1, 2)), np.zeros(MOST_JOINTS + 1)
+    found = 0
     for end in (np.asarray(p[k], float) for p in skeleton.paths for k in (0, -1)):
-        own = next((c for c in kept if np.hypot(*(np.mean(c, axis=0) - end)) < near), None)
-        if own is None:
-            kept.append([end])
-        else:
-            own.append(end)
-    return np.array([np.mean(c, axis=0) for c in kept]).reshape(-1, 2)
+        own = np.flatnonzero(np.hypot(*(middle[:found] - end).T) < near)
+        k = int(own[0]) if len(own) else found
+        if k > MOST_JOINTS:
+            break
+        found = max(found, k + 1)
+        ends[k] += 1
+        middle[k] += (end - middle[k]) / ends[k]
+    return middle[:found]
 
 
 def wire_shifts(skeleton: Skeleton, at: Floats, others: Floats, size: float) -> list[Floats]:

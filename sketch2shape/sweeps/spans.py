@@ -19,6 +19,8 @@ DRAWN = 0.93
 """Part of a span that must lie on ink of both faces."""
 ASIDE = 8.0
 """Pixels from either end of a span within which other lines may draw its own aside: a quarter of it at most."""
+MOST_LINES = 200
+"""Lines on both faces of a wireframe: some 100 were seen of 30 rungs; in a texture there are many more."""
 LOOKS = 32
 """Points of a span that are looked up."""
 LEAST_BULGE, MOST_BULGE = 0.04, 6.0
@@ -89,8 +91,12 @@ def spans_of(field: Field, along: Floats) -> list[tuple[Frame, Spans]]:
     """Lines and arcs between nodes, in the frames that explain more ink than those nearly like them, the best first.
 
     along : (2,) float of unit length, the direction in which circles are seen shortened
+
+    None of a texture.
     """
     lines = _aside(_lines(field), along, field)
+    if len(lines.first) > MOST_LINES:
+        return []
 
     def told(ratio: float) -> tuple[float, Frame, Spans]:
         frame = Frame(along, ratio)

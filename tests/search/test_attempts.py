@@ -9,13 +9,13 @@ from sketch2shape.ink import find_ink
 from sketch2shape.ink.groups import split_groups
 from sketch2shape.model import VectorLine
 from sketch2shape.reading.sheet import picture_of
-from sketch2shape.search.attempts import GOOD, _likely_first, _looks, attempts
+from sketch2shape.search.attempts import GOOD, Looks, _likely_first, attempts
 from sketch2shape.strokes.skeleton import thin
 
 
 def attempts_at(picture):
     group = split_groups(ink_of(picture))[0]
-    return attempts(group, thin(group.ink))
+    return attempts(Looks(group, thin(group.ink)))
 
 
 @pytest.mark.parametrize("face", [SQUARE, L_SHAPE], ids=["box", "L"])
@@ -53,7 +53,7 @@ def test_of_a_wavy_hand_whose_lines_are_known_coarser_rounds_come_first():
             side = np.array([a[1] - b[1], b[0] - a[0]]) / np.linalg.norm(b - a)
             lines.append(VectorLine(a + t * (b - a) + amplitude * np.sin(9 * t) * side))
         (group,) = split_groups(find_ink(picture_of(lines)))
-        looks = list(_looks(group, thin(group.ink), iter(range(100))))
+        looks = Looks(group, thin(group.ink)).rounds
         return [look.number for look in looks], [look.number for look in _likely_first(looks)]
 
     ruled, in_order = numbers(0.0)
