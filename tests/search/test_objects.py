@@ -74,3 +74,19 @@ def test_letters_beside_a_box_are_passed_over():
     line(picture, [40, 20], [20, 40])
     assert len(objects.find_all(ink_of(picture))) == 1
     assert objects.find_all(ink_of(line(paper(), [50, 50], [400, 60]))) == []
+
+
+def test_an_arc_turns_to_one_side_and_a_trembling_hand_to_either():
+    t = np.linspace(0.0, 1.0, 200)
+    ways = {
+        "arc": 60 * np.sin(np.pi * t),
+        "trembling": 3.5 * np.sin(10 * np.pi * t),
+        "straight": 0 * t,
+    }
+    bowed = {}
+    for name, y in ways.items():
+        path = np.stack([40 + 400 * t, 200 + y], axis=1)
+        skeleton = SimpleNamespace(paths=[np.rint(path).astype(np.int32)], pen_width=2.0)
+        bowed[name] = objects.bowed_part(skeleton, 500.0)
+    assert bowed["arc"] > 0.9
+    assert bowed["trembling"] == bowed["straight"] == 0.0

@@ -1,6 +1,7 @@
 """Wireframes put together from lines and arcs."""
 
 from dataclasses import replace
+from importlib import import_module
 
 import cv2
 import numpy as np
@@ -50,3 +51,12 @@ def test_holes_are_whole_circles_inside_the_outline():
 
 def test_a_cone_is_none():
     assert joined_from(drawn(CONE)) == []
+
+
+@pytest.mark.parametrize(("module", "number"), [("joined", "MOST_SHARED"), ("spans", "MOST_LINES")])
+def test_a_texture_is_not_put_together(monkeypatch, module, number):
+    """Spans by the hundred on the same ink would keep a solver busy for hours."""
+    picture = drawn(SLOT)
+    assert joined_from(picture)
+    monkeypatch.setattr(import_module(f"sketch2shape.sweeps.{module}"), number, 0)
+    assert joined_from(picture) == []

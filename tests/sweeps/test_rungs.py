@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from round_sketches import ARCH, CONE, CYLINDER, drawn, plate, slot
-from sketches import ink_of
+from sketches import ink_of, paper
 
 from sketch2shape.strokes import thin
 from sketch2shape.sweeps import Way, joints, shifts, wire_shifts
-from sketch2shape.sweeps.rungs import off_both, rung_ends
+from sketch2shape.sweeps.rungs import MOST_JOINTS, off_both, rung_ends
 
 SLOT = slot(Way(np.array([60.0, 40.0])), tangents=True)
 PLATE = replace(plate(Way(np.array([50.0, 30.0]))), tangents=True)
@@ -53,3 +53,14 @@ def test_a_place_of_the_front_face_is_on_ink_of_both():
     assert off[y, x].max() < 3
     x, y = np.rint(SLOT.rings[0].line + SLOT.way.shift).astype(int).T
     assert np.median(off[y, x]) > 5
+
+
+def test_of_a_texture_only_so_many_joints_are_told():
+    """Thousands of them are looked at by nobody."""
+    picture = paper()
+    for x in range(20, 460, 12):
+        for y in range(20, 460, 12):
+            picture[y : y + 2, x : x + 7] = 0
+    skeleton = thin(ink_of(picture))
+    assert len(skeleton.paths) > MOST_JOINTS
+    assert len(joints(skeleton)) == MOST_JOINTS + 1
