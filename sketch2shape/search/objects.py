@@ -92,14 +92,14 @@ def find_one(group: Group) -> AnyFound | None:
     if swept is not None and _is_given(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
         return swept
     straight = find(seen)
-    drilled = find_drilled(seen, straight) if straight is not None and _leaves_some(straight) else None
+    drilled = find_drilled(seen, straight) if straight is not None and bowed and _leaves_some(straight) else None
     if drilled is not None and drilled.confidence >= LIKELY and drilled.unexplained <= SLIGHT:
         return drilled
-    doubted = straight is None or straight.confidence < TRUSTED or _leaves_some(straight)
+    doubted = straight is None or straight.confidence < TRUSTED
     if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
         hopeless = straight is None or straight.confidence < REFUSE_BELOW
         below = np.inf if straight is None or straight.energy is None else straight.energy.total
-        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, below=below)
+        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, holes=bowed > 0.0, below=below)
     return _better(straight, min((s for s in (drilled, swept) if s is not None), key=lambda s: s.nats, default=None))
 
 
@@ -143,6 +143,8 @@ def _bowed_length(path: NDArray[Any], least: float, short: float) -> float:
     if len(path) < max(least, 8):
         return 0.0
     bends = cv2.approxPolyDP(path[:, None].astype(np.float32), STRAY, False)[:, 0].astype(float)
+    if len(bends) < LEAST_BENDS + 2:
+        return 0.0
     span = np.diff(bends, axis=0)
     long = np.hypot(*span.T)
     turn = np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1))

@@ -33,6 +33,8 @@ MOST_IMPROVED = 3
 """Sweeps that are moved to the ink, the best of those that were begun."""
 MOST_GAINED = 150.0
 """Nats that a sweep gains at most by being moved to the ink; some 120 were seen where its holes were known."""
+VAIN = 0.4
+"""Part of the ink that a sweep not yet improved leaves if its holes are not known, at most: 0.33 was seen."""
 APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
 LEAST_BEHIND, BESIDE = 0.08, 0.02
@@ -44,19 +46,21 @@ _Begun: TypeAlias = tuple[FoundSweep, Iterator[Sweep]]
 """A sweep, and other ways to cut its outline."""
 
 
-def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> FoundSweep | None:
+def find_sweep(seen: Observed, *, arcs: bool = True, holes: bool = True, below: float = np.inf) -> FoundSweep | None:
     """The best sweep for the ink of one object, or None.
 
-    arcs  : whether some lines bow; else only wireframes with holes, and pyramids, are looked for
+    arcs  : whether much of the ink may bow; else only wireframes with holes, and pyramids, are looked for
+    holes : whether any of it bows; without arcs and holes pyramids are left
     below : nats of the best straight object: what cannot come below is not looked at closely
     """
     scene = Scene(seen.drawn, seen.skeleton, seen.view)
     some: list[_Begun] = []
     done: dict[FoundSweep, FoundSweep] = {}
-    for begun, enough in zip(_batches(scene, arcs=arcs), chain((TRUSTED,), repeat(EVEN_ODDS)), strict=False):
+    batches = _batches(scene, arcs=arcs) if arcs or holes else iter((_begun_pyramids(scene),))
+    for begun, enough in zip(batches, chain((TRUSTED,), repeat(EVEN_ODDS)), strict=False):
         deep = [b for b in begun if _shows_depth(b[0], scene)]
         some = _unlike(sorted([*some, *deep], key=lambda b: b[0].nats), scene.size)
-        hopeful = [b for b in some[:MOST_IMPROVED] if b[0].nats < below + MOST_GAINED]
+        hopeful = [b for b in some[:MOST_IMPROVED] if b[0].nats < below + MOST_GAINED and not _is_vain(b[0])]
         _improve(hopeful, done, scene, enough)
         if any(_stands(f, enough) for f in done.values()):
             break
@@ -78,7 +82,11 @@ def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
     yield [*together, *_begun(pairs_of_rungs(scene), scene, arcs=arcs)]
     for pairs in batches:
         yield _begun(pairs, scene, arcs=arcs)
-    yield [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
+    yield _begun_pyramids(scene)
+
+
+def _begun_pyramids(scene: Scene) -> list[_Begun]:
+    return [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
 
 
 def _begun(pairs: list[Pair], scene: Scene, *, arcs: bool) -> list[_Begun]:
@@ -101,6 +109,11 @@ def _improve(begun: list[_Begun], done: dict[FoundSweep, FoundSweep], scene: Sce
         stands = any(_stands(f, enough) for f in done.values())
         if found not in done and (not stands or found.nats < min(f.nats for f in done) + CLOSE):
             done[found] = improved(found, rest, scene)
+
+
+def _is_vain(found: FoundSweep) -> bool:
+    """Whether it costs more than no object at all and leaves much ink: no closer fit would make it an answer."""
+    return found.nats > found.compared.view.all_foreign and found.unexplained > VAIN
 
 
 def _stands(found: FoundSweep, enough: float) -> bool:
