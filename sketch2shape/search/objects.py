@@ -92,7 +92,7 @@ def find_one(group: Group) -> AnyFound | None:
     if swept is not None and _is_given(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
         return swept
     straight = find(seen)
-    drilled = find_drilled(seen, straight) if straight is not None and bowed and _leaves_some(straight) else None
+    drilled = find_drilled(seen, straight) if straight is not None and _leaves_some(straight) else None
     if drilled is not None and drilled.confidence >= LIKELY and drilled.unexplained <= SLIGHT:
         return drilled
     doubted = straight is None or straight.confidence < TRUSTED
