@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.ink.components import connected_pieces
+from sketch2shape.ink.gaps import gaps_between
 from sketch2shape.ink.histogram import counts_of
 from sketch2shape.ink.kernels import square
 from sketch2shape.model import Bools, Gray, Ints, as_gray
@@ -70,8 +71,9 @@ SHARP = 0.7
 """... namely this share, unless it is the soft edge of a shadow ..."""
 SOFT = 0.1
 """... and share of soft borders from which a picture was lit by a lamp."""
-SURROUNDED = 0.9
-"""Share of the frame along which the surroundings of a sheet of paper, or of a panel, lie."""
+SURROUNDED, MUCH = 0.9, 0.5
+"""Share of the frame along which the surroundings of a sheet, of a panel, or the paper lies; and how much there is of
+the paper, over what there is of the commonest tone."""
 BORDER = 3
 """Width of the ink along a border without a stroke, pixels ..."""
 BESIDE = 5
@@ -100,7 +102,7 @@ def read_tones(seen: Gray) -> Tones | None:
     if not _is_calm(seen):
         return None
     sample = np.ascontiguousarray(seen[::COARSE, ::COARSE])
-    paper = _commonest(sample)
+    paper = _paper(sample)
     frame = _drawn_part(sample, paper)
     if frame is None:
         return None
@@ -109,12 +111,13 @@ def read_tones(seen: Gray) -> Tones | None:
     areas = _areas(smooth, paper, float(np.hypot(*seen.shape[:2])))
     if areas is None:
         return None
+    areas = _without_gaps(areas, smooth, paper)
     largest = int(np.argmax(np.bincount(areas[areas > 0])))
     if not _tones_of(smooth.reshape(areas.size, -1)[areas.ravel() == largest][::SAMPLED]):
         return None  # lit by a lamp
     off, tone = _off(part, smooth, _spread(areas > 0, _parted(areas, smooth)))
     edges = _borders(tone)
-    if _are_soft(edges, tone, part) or _is_sheet(areas, edges, off):
+    if _are_soft(edges, off > STEP, tone, part) or _is_sheet(areas, edges, off):
         return None
     contrast, borders = np.zeros(seen.shape[:2], np.uint8), np.zeros(seen.shape[:2], np.bool_)
     contrast[frame], borders[frame] = off, edges
@@ -137,10 +140,14 @@ def _is_calm(seen: Gray) -> bool:
     return bool(np.count_nonzero(_range(strips) <= CALM) > DIGITAL * strips.shape[0] * strips.shape[1])
 
 
-def _commonest(sample: Gray) -> list[int]:
-    """The commonest level, or the colour of what has that."""
+def _paper(sample: Gray) -> list[int]:
+    """The level all along the frame, if there is much of it, or else the commonest; or the colour of what has that."""
     gray = sample if sample.ndim == 2 else as_gray(cv2.cvtColor(sample, cv2.COLOR_RGB2GRAY))
-    level = int(np.argmax(counts_of(gray)))
+    counts = counts_of(gray)
+    rim = counts_of(np.concatenate([gray[0], gray[-1], gray[:, 0], gray[:, -1]])[None])
+    level, along = int(np.argmax(counts)), int(np.argmax(rim))
+    if rim[along] > SURROUNDED * rim.sum() and counts[along] > MUCH * counts[level]:
+        level = along
     return [level] if sample.ndim == 2 else np.median(sample[gray == level], axis=0).astype(int).tolist()
 
 
@@ -170,6 +177,16 @@ def _areas(smooth: Gray, paper: list[int], diagonal: float) -> Ints | None:
     if not _differ(smooth, labels, np.flatnonzero(kept)):
         return None
     return np.where(kept[labels], labels, 0)
+
+
+def _without_gaps(areas: Ints, smooth: Gray, paper: list[int]) -> Ints:
+    """The areas without what of the paper runs between the others like a pen."""
+    own = np.zeros(areas.shape, np.bool_)
+    for name in np.unique(areas[areas > 0]).tolist():
+        area = areas == name
+        if _is_paper(smooth, area, paper):
+            own |= area
+    return np.where(gaps_between((areas > 0) & ~own, own), 0, areas)
 
 
 def _parted(areas: Ints, smooth: Gray) -> Gray:
@@ -296,11 +313,11 @@ def _borders(tone: Gray) -> Bools:
     return border
 
 
-def _are_soft(edges: Bools, tone: Gray, seen: Gray) -> bool:
-    """Much of the borders is no step but a slope: the edge of a shadow."""
+def _are_soft(edges: Bools, strokes: Bools, tone: Gray, seen: Gray) -> bool:
+    """Much of the borders has neither a stroke nor a step but a slope: the edge of a shadow."""
     steps = _channels(_contrast_within(tone, SMOOTH))[edges].astype(np.float32)
     seen_steps = _channels(_contrast_within(seen, ABRUPT))[edges]
-    return bool(np.count_nonzero(seen_steps < SHARP * steps) > SOFT * len(steps))
+    return bool(np.count_nonzero((seen_steps < SHARP * steps) & ~strokes[edges]) > SOFT * len(steps))
 
 
 def _is_sheet(areas: Ints, edges: Bools, off: Gray) -> bool:

@@ -172,3 +172,12 @@ def test_borders_are_left_out_along_strokes_only() -> None:
     assert result[29:32, 12:188].any(axis=0).all()
     assert (result[:, 20:90] == drawn[:, 20:90]).all()
     assert not result[33, 150]
+
+
+def test_black_faces_that_fill_most_of_a_picture_are_not_its_paper() -> None:
+    part = box(((0, 0, 0),) * 3, outline=(255, 0, 0))[100:420, 130:450]
+    assert np.count_nonzero(part.max(axis=2) == 0) > np.count_nonzero(part.min(axis=2) == 255)
+    mask = find_ink(Picture(part)).mask
+    for (ax, ay), (bx, by) in EDGES:
+        assert covered(mask, (ax - 130, ay - 100), (bx - 130, by - 100)) > 0.95
+    assert not mask[130:270, 50:190].any()  # the front
