@@ -23,12 +23,17 @@ def gaps_between(faces: Bools, paper: Bools) -> Bools:
     _, _, width, height = cv2.boundingRect(as_gray(faces))
     box = square(WIDEST * float(np.hypot(width, height)))
     wide = as_gray(cv2.morphologyEx(as_gray(paper), cv2.MORPH_OPEN, box, borderType=cv2.BORDER_CONSTANT, borderValue=1))
-    count, part = cv2.connectedComponents(as_gray(paper & (wide == 0)), connectivity=4)
-    gaps = np.zeros(paper.shape, np.bool_)
-    for name in range(1, count):
-        one = part == name
+    narrow = as_gray(cv2.copyMakeBorder(as_gray(paper & (wide == 0)), 1, 1, 1, 1, cv2.BORDER_CONSTANT))
+    room = as_gray(cv2.copyMakeBorder(wide, 1, 1, 1, 1, cv2.BORDER_CONSTANT))
+    _, part, stats, _ = cv2.connectedComponentsWithStats(narrow, connectivity=4)
+    gaps = np.zeros(narrow.shape, np.bool_)
+    for name, (x, y, w, h, _) in enumerate(stats.tolist()):
+        if name == 0 or np.hypot(w, h) < len(box):
+            continue
+        around = np.s_[y - 1 : y + h + 1, x - 1 : x + w + 1]
+        one = part[around] == name
         beside = cv2.dilate(as_gray(one), np.ones((3, 3), np.uint8)) > 0
-        ends, _ = cv2.connectedComponents(as_gray(beside & (wide > 0)))
+        ends, _ = cv2.connectedComponents(as_gray(beside & (room[around] > 0)))
         if ends > ENDS:  # what lies between them is counted too
-            gaps |= one
-    return gaps
+            gaps[around] |= one
+    return gaps[1:-1, 1:-1]

@@ -95,17 +95,22 @@ def find_one(group: Group) -> AnyFound | None:
     drilled = find_drilled(seen, straight) if straight is not None and _leaves_some(straight) else None
     if drilled is not None and drilled.confidence >= LIKELY and drilled.unexplained <= SLIGHT:
         return drilled
-    doubted = straight is None or straight.confidence < TRUSTED
+    doubted = straight is None or straight.confidence < TRUSTED or _may_have_narrow_holes(straight)
     if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
         hopeless = straight is None or straight.confidence < REFUSE_BELOW
         below = np.inf if straight is None or straight.energy is None else straight.energy.total
-        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, holes=bowed > 0.0, below=below)
+        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, holes=bowed > 0.0 or not hopeless, below=below)
     return _better(straight, min((s for s in (drilled, swept) if s is not None), key=lambda s: s.nats, default=None))
 
 
 def _leaves_some(straight: Found) -> bool:
     """Whether there is ink left that may be a hole."""
     return straight.energy is not None and straight.energy.foreign > LEFT
+
+
+def _may_have_narrow_holes(straight: Found) -> bool:
+    """Whether there is ink left in a wireframe: round holes that edges cross do not bow to the eye."""
+    return straight.energy is not None and straight.energy.lines == "wire" and _leaves_some(straight)
 
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
