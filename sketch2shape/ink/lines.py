@@ -61,53 +61,73 @@ def arcs_of(skeleton: Bools, pen: float) -> tuple[Ints, Ints]:
 
 
 @dataclass(frozen=True)
-class _Arc:
-    """Ends (2, 2) x, y of an arc; unit directions (2, 2) out of it there; joints (2,), 0 for none; and deviation."""
+class _Arcs:
+    """All arcs of a skeleton.
+
+    ends   : (n, 2, 2) x, y of both ends of each
+    out    : (n, 2, 2) unit directions out of it there
+    joints : (n, 2) int, the joints there, 0 for none
+    bend   : (n,) deviation from its axis, r.m.s., pixels
+    """
 
     ends: Floats
     out: Floats
-    joints: tuple[int, int]
-    bend: float
+    joints: Ints
+    bend: Floats
 
 
-def _arc(points: Floats, joints: Ints) -> _Arc:
-    centre = points.mean(axis=0)
-    axis = np.linalg.svd(points - centre, full_matrices=False)[2][0] if len(points) > 1 else np.array([1.0, 0.0])
-    along = (points - centre) @ axis
-    ends = points[[int(np.argmin(along)), int(np.argmax(along))]]
-    out, met = [], []
-    for end in ends:
-        near = points[np.abs(points - end).max(axis=1) <= TIP]
-        away = end - near.mean(axis=0)
-        out.append(away / max(float(np.hypot(*away)), 1e-9))
-        x, y = end.astype(int)
-        met.append(int(joints[max(0, y - 2) : y + 3, max(0, x - 2) : x + 3].max()))
-    across = (points - centre) @ np.array([-axis[1], axis[0]])
-    return _Arc(ends, np.array(out), (met[0], met[1]), float(np.sqrt(np.mean(across**2))))
+def _measured(arcs: Ints, joints: Ints) -> _Arcs:
+    """The arcs of a map, all at once: a page of text has thousands."""
+    ys, xs = np.nonzero(arcs)
+    order = np.argsort(arcs[ys, xs], kind="stable")
+    points = np.stack([xs, ys], axis=1)[order].astype(np.float64)
+    own = arcs[ys, xs][order] - 1
+    count = int(own[-1]) + 1 if len(own) else 0
+    size = np.asarray(np.bincount(own, minlength=count), np.float64)
+
+    def mean(values: Floats, of: Floats) -> Floats:
+        """(n, 2) mean of values (k, 2), of so many each."""
+        return np.stack([np.bincount(own, v, count) for v in values.T], axis=1) / of[:, None]
+
+    off = points - mean(points, size)[own]
+    square, mixed = mean(off * off, size), mean(off * off[:, ::-1], size)[:, 0]
+    angle = 0.5 * np.arctan2(2.0 * mixed, square[:, 0] - square[:, 1])
+    axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    along = (off * axis[own]).sum(axis=1)
+    across = off[:, 1] * axis[own, 0] - off[:, 0] * axis[own, 1]
+    # the first place of each arc in the order of how far along it lies, and the last
+    sorted_along = np.lexsort((along, own))
+    last = np.cumsum(size).astype(np.intp)
+    tips = np.stack([sorted_along[last - size.astype(np.intp)], sorted_along[last - 1]], axis=1)
+    ends, out = points[tips], np.zeros((count, 2, 2))
+    for side in (0, 1):
+        near = (np.abs(points - ends[own, side]).max(axis=1) <= TIP).astype(np.float64)
+        away = ends[:, side] - mean(points * near[:, None], np.asarray(np.bincount(own, near, count)))
+        out[:, side] = away / np.maximum(np.hypot(away[:, 0], away[:, 1]), 1e-9)[:, None]
+    beside = cv2.dilate(joints.astype(np.float32), np.ones((5, 5), np.uint8))
+    x, y = ends.astype(np.intp).transpose(2, 0, 1)
+    return _Arcs(ends, out, beside[y, x].astype(np.intp), np.sqrt(np.bincount(own, across * across, count) / size))
 
 
 def lines_of(arcs: Ints, joints: Ints, pen: float) -> Lines:
     """Arcs that go on straight beyond a joint, put together; what is not straight is left out."""
-    ys, xs = np.nonzero(arcs)
-    order = np.argsort(arcs[ys, xs], kind="stable")
-    points = np.stack([xs, ys], axis=1)[order].astype(np.float64)
-    bounds = np.flatnonzero(np.diff(arcs[ys, xs][order])) + 1
-    every = [_arc(own, joints) for own in np.split(points, bounds)] if len(points) else []
+    every = _measured(arcs, joints)
+    beside = every.joints.tolist()
     at: dict[int, list[tuple[int, int]]] = {}
-    for k, arc in enumerate(every):
-        for side in (0, 1):
-            if arc.joints[side]:
-                at.setdefault(arc.joints[side], []).append((k, side))
-    pairs = [pair for ends in at.values() for pair in _pairs(every, ends)]
+    for k, both in enumerate(beside):
+        for side, joint in enumerate(both):
+            if joint:
+                at.setdefault(joint, []).append((k, side))
+    pairs = [pair for ends in at.values() if len(ends) > 1 for pair in _pairs(every, ends)]
     partner = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
-    passed = {every[k].joints[side] for (k, side), _ in pairs}
+    passed = {beside[k][side] for (k, side), _ in pairs}
     straight: list[tuple[list[int], Floats, list[list[bool]]]] = []
-    for chain in _chains(len(every), partner):
+    for chain in _chains(len(beside), partner):
         tips = (chain[0], (chain[-1][0], 1 - chain[-1][1]))
-        ends = np.array([every[k].ends[side] for k, side in tips])
+        ends = np.array([every.ends[k, side] for k, side in tips])
         members = [k for k, _ in chain]
-        if _is_straight([every[k] for k in members], ends, pen):
-            met = [every[k].joints[side] for k, side in tips]
+        if _is_straight(every, members, ends, pen):
+            met = [beside[k][side] for k, side in tips]
             flags = [[joint == 0 for joint in met], [joint in passed for joint in met]]
             straight.append(([k + 1 for k in members], ends, flags))
     return Lines(
@@ -117,9 +137,9 @@ def lines_of(arcs: Ints, joints: Ints, pen: float) -> Lines:
     )
 
 
-def _pairs(arcs: list[_Arc], ends: list[tuple[int, int]]) -> list[tuple[tuple[int, int], tuple[int, int]]]:
+def _pairs(arcs: _Arcs, ends: list[tuple[int, int]]) -> list[tuple[tuple[int, int], tuple[int, int]]]:
     """Pairs of ends at a joint, the straightest first, of which each goes on in the other."""
-    out = np.array([arcs[k].out[side] for k, side in ends])
+    out = np.array([arcs.out[k, side] for k, side in ends])
     turn = np.arccos(np.clip(-(out @ out.T), -1.0, 1.0))
     first, second = np.nonzero(np.triu(turn < THROUGH, 1))
     found = sorted((float(turn[a, b]), ends[a], ends[b]) for a, b in zip(first, second, strict=True))
@@ -150,12 +170,15 @@ def _chains(count: int, partner: dict[tuple[int, int], tuple[int, int]]) -> list
     return chains
 
 
-def _is_straight(arcs: list[_Arc], ends: Floats, pen: float) -> bool:
-    along = ends[1] - ends[0]
-    length = float(np.hypot(*along))
+def _is_straight(arcs: _Arcs, members: list[int], ends: Floats, pen: float) -> bool:
+    """Whether some arcs that go on in each other are one line between these ends."""
+    (x0, y0), (x1, y1) = ends.tolist()
+    length = float(np.hypot(x1 - x0, y1 - y0))
     if length < SHORTEST * pen:
         return False
     limit = STRAIGHT * length + 0.3 * pen
-    inner = np.concatenate([arc.ends for arc in arcs]) - ends[0]
-    off = np.abs(inner @ np.array([-along[1], along[0]])) / length
-    return float(off.max()) < 2.0 * limit and max(arc.bend for arc in arcs) < limit
+    if float(arcs.bend[members].max()) >= limit:
+        return False
+    inner = arcs.ends[members].reshape(-1, 2) - ends[0]
+    off = np.abs(inner @ np.array([y0 - y1, x1 - x0])) / length
+    return float(off.max()) < 2.0 * limit
