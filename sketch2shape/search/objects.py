@@ -30,6 +30,9 @@ BOWED, SOME_BOWED = 0.08, 0.02
 STRAY, SHORT, SHORT_PENS = 1.0, 5.0, 3.0
 """Pixels by which chords may stray from a line; pixels and pens of length below which they say nothing, as a pen
 rounds corners."""
+OBTUSE = 16.0
+"""Angle of a bend, radians, times length of the shorter chord beside it, over what chords may stray, from which it is a
+corner: chords of an arc turn by eight over their length, and hands are twice as careless."""
 LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 """Bends of an arc at least, angle of one from which it is a corner, and by which it turns to one side, radians."""
 
@@ -153,9 +156,10 @@ def _bowed_length(path: NDArray[Any], least: float, short: float) -> float:
     span = np.diff(bends, axis=0)
     long = np.hypot(*span.T)
     turn = np.arctan2(cross(span[:-1], span[1:]), (span[:-1] * span[1:]).sum(axis=1))
-    # the ends of a line are bent where it meets others
-    turn[np.minimum(long[:-1], long[1:]) < short] = 0.0
-    parts = np.split(np.arange(len(span)), np.flatnonzero(np.abs(turn) >= SHARP) + 1)
+    chord = np.minimum(long[:-1], long[1:])
+    turn[chord < short] = 0.0  # the ends of a line are bent where it meets others
+    corners = (np.abs(turn) >= SHARP) | (np.abs(turn) * chord > OBTUSE * STRAY)
+    parts = np.split(np.arange(len(span)), np.flatnonzero(corners) + 1)
     return float(sum(long[part].sum() for part in parts if _is_bowed(turn[part[:-1]], float(long[part].sum()), least)))
 
 

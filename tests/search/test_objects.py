@@ -1,5 +1,6 @@
 """Objects of a sheet: which groups of ink are looked at, and what is given for them."""
 
+from itertools import pairwise
 from types import SimpleNamespace
 
 import numpy as np
@@ -90,3 +91,13 @@ def test_an_arc_turns_to_one_side_and_a_trembling_hand_to_either():
         bowed[name] = objects.bowed_part(skeleton, 500.0)
     assert bowed["arc"] > 0.9
     assert bowed["trembling"] == bowed["straight"] == 0.0
+
+
+def test_a_silhouette_with_obtuse_corners_is_no_arc():
+    """Its corners turn as little as the chords of an arc, but lie far apart."""
+    turn = np.radians(28.0) * np.arange(4)
+    ends = np.cumsum(np.concatenate([[[60.0, 60.0]], 110.0 * np.stack([np.cos(turn), np.sin(turn)], axis=1)]), axis=0)
+    t = np.linspace(0.0, 1.0, 110, endpoint=False)[:, None]
+    path = np.concatenate([a + t * (b - a) for a, b in pairwise(ends)])
+    skeleton = SimpleNamespace(paths=[np.rint(path).astype(np.int32)], pen_width=2.0)
+    assert objects.bowed_part(skeleton, 500.0) == 0.0
