@@ -68,6 +68,10 @@ def _but_the_last(*how: Any) -> Any:
     return tolerances.rounds_for(*how)[:-1]
 
 
+def _nothing(faces: Any, _: Any) -> Any:
+    return np.zeros_like(faces)
+
+
 def _all_simple(polygons: Any) -> Any:
     return np.ones(len(polygons), np.bool_)
 
@@ -96,6 +100,7 @@ MECHANISMS = (
     Mechanism("third look: neighbours", _in("search.search", climbed_attempts=_NONE)),
     Mechanism("hidden vertices on the plainest map", _in("search.search", with_hidden=_first)),
     Mechanism("tips ahead of where strokes run into one", _in("hypotheses.opaque", _with_tips=_first_two)),
+    Mechanism("gaps of icons are lines", _in("ink.tones", gaps_between=_nothing)),
     Mechanism("edges cut off by the border", _in("search.objects", closed_at_border=_always(None))),
     Mechanism("early rounds for wireframes alone", _in("search.attempts", _early=_always([]))),
     Mechanism("a close look", _in("search.attempts", BENT=np.inf, STEADY=0.0)),
@@ -151,6 +156,11 @@ MECHANISMS = (
     Mechanism("sweeps", _in("search.objects", find_sweep=_always(None))),
     Mechanism("a likely sweep stands at once", _in("search.objects", LIKELY=np.inf)),
     Mechanism("sweeps for ink that may be a hole", _in("search.objects", _leaves_some=_NO)),
+    Mechanism("obtuse corners are no arcs", _in("search.objects", OBTUSE=np.inf)),
+    Mechanism("what costs more than no object is not improved", _in("search.sweeping", VAIN=np.inf)),
+    Mechanism(
+        "textures are not put together", _in("sweeps.joined", MOST_SHARED=HUGE) | _in("sweeps.spans", MOST_LINES=HUGE)
+    ),
     Mechanism("bare figures are no answers", _in("search.objects", LACKING=np.inf)),
     Mechanism("sweeps: wireframes", _in("search.sweep_pairs", _coherent=_NONE)),
     Mechanism("sweeps: loops moved", _in("search.sweep_pairs", _moved=_NONE)),
