@@ -68,10 +68,6 @@ def _but_the_last(*how: Any) -> Any:
     return tolerances.rounds_for(*how)[:-1]
 
 
-def _nothing(faces: Any, _: Any) -> Any:
-    return np.zeros_like(faces)
-
-
 def _all_simple(polygons: Any) -> Any:
     return np.ones(len(polygons), np.bool_)
 
@@ -100,7 +96,6 @@ MECHANISMS = (
     Mechanism("third look: neighbours", _in("search.search", climbed_attempts=_NONE)),
     Mechanism("hidden vertices on the plainest map", _in("search.search", with_hidden=_first)),
     Mechanism("tips ahead of where strokes run into one", _in("hypotheses.opaque", _with_tips=_first_two)),
-    Mechanism("gaps of icons are lines", _in("ink.tones", gaps_between=_nothing)),
     Mechanism("edges cut off by the border", _in("search.objects", closed_at_border=_always(None))),
     Mechanism("early rounds for wireframes alone", _in("search.attempts", _early=_always([]))),
     Mechanism("a close look", _in("search.attempts", BENT=np.inf, STEADY=0.0)),
