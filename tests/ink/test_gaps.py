@@ -32,6 +32,34 @@ def test_an_icon_parted_by_gaps_is_the_box(gap, ink, paper):
     assert max(np.hypot(*(obj.vertices - v).T).min() for v in drawn) < 6
 
 
+def test_three_faces_of_a_hexagon_are_a_cube():
+    angle = np.radians([90, 150, 210, 270, 330, 30])
+    middle = np.array([512.0, 512.0])
+    rim = middle + 410 * np.stack([np.cos(angle), -np.sin(angle)], axis=1)
+    image = np.full((1024, 1024), 255, np.uint8)
+    cv2.fillPoly(image, [rim.astype(np.int32)], 0)
+    for corner in rim[1::2]:
+        cv2.line(image, middle.astype(int).tolist(), corner.astype(int).tolist(), 255, 40)
+    for side in (256, 64):
+        (obj,) = s2s.reconstruct(cv2.resize(image, (side, side), interpolation=cv2.INTER_AREA)).objects
+        assert len(obj.f1) == 4
+        assert max(np.hypot(*(obj.vertices - v * side / 1024).T).min() for v in (middle, *rim)) < 0.03 * side
+
+
+def test_the_paper_between_a_face_and_a_line_beside_it_is_no_gap():
+    image = np.full((400, 500), 255, np.uint8)
+    for face, tone in (
+        (FRONT, 200),
+        (np.array([FRONT[0], BACK[0], BACK[1], FRONT[1]]), 170),
+        (OUTLINE[[2, 3, 4]], 140),
+    ):
+        cv2.fillPoly(image, [face + [90, 60]], tone)
+    cv2.fillPoly(image, [np.array([FRONT[1], BACK[1], BACK[2], FRONT[2]]) + [90, 60]], 140)
+    cv2.line(image, (130, 332), (280, 332), 0, 2)  # a dimension
+    mask = find_ink(Picture(np.dstack([image] * 3))).mask
+    assert not mask[323:329, 140:270].any()
+
+
 def test_a_gap_is_one_line_and_not_its_two_sides():
     mask = find_ink(Picture(np.dstack([icon(10)] * 3))).mask
     middle = mask[mask.shape[0] * 200 // 300]
