@@ -119,6 +119,14 @@ def guessed(page: Chrome) -> None:
     )
 
 
+def working(page: Chrome) -> None:
+    drawn(page)
+    page.execute_script(
+        "document.getElementById('busy').hidden = false;"
+        "document.getElementById('busy-words').textContent = 'Working';"
+    )
+
+
 def badly_typed(page: Chrome) -> None:
     drawn(page)
     click(page, "#dimensions [data-size=depth]")
@@ -148,6 +156,7 @@ STATES: dict[str, Callable[[Chrome], None]] = {
     "corners": corners,
     "found": found,
     "a guess and an error": guessed,
+    "working": working,
     "download": opened("#download", drawn),
     "link": opened("#share", drawn),
     "numbers": opened("#numbers", drawn),
