@@ -102,7 +102,7 @@ def find_one(group: Group) -> AnyFound | None:
     if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
         hopeless = straight is None or straight.confidence < REFUSE_BELOW
         below = np.inf if straight is None or straight.energy is None else straight.energy.total
-        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, holes=bowed > 0.0 or not hopeless, below=below)
+        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, below=below)
     return _better(straight, min((s for s in (drilled, swept) if s is not None), key=lambda s: s.nats, default=None))
 
 
