@@ -9,7 +9,8 @@ from sketch2shape.ink import find_ink
 from sketch2shape.ink.groups import split_groups
 from sketch2shape.model import VectorLine
 from sketch2shape.reading.sheet import picture_of
-from sketch2shape.search.attempts import GOOD, Looks, _likely_first, attempts
+from sketch2shape.search import tolerances
+from sketch2shape.search.attempts import GOOD, Looks, _likely_first, attempts, second_attempts
 from sketch2shape.strokes.skeleton import thin
 
 
@@ -62,3 +63,17 @@ def test_of_a_wavy_hand_whose_lines_are_known_coarser_rounds_come_first():
     assert in_order[0] == 3
     assert sorted(in_order) == wavy
     assert in_order[-1] == wavy[-1]
+
+
+def test_a_second_look_traces_nothing_anew(monkeypatch):
+    """Strokes, regions and corner graphs are worked out once for all passes over a drawing."""
+    group = split_groups(ink_of(prism(L_SHAPE, L_SHAPE + DEPTH, "removed")))[0]
+    looks, calls = Looks(group, thin(group.ink)), []
+    list(attempts(looks))
+    trace, regions = tolerances.trace_skeleton, tolerances.enclosed_regions
+    monkeypatch.setattr(tolerances, "trace_skeleton", lambda *how: calls.append(how) or trace(*how))
+    monkeypatch.setattr(tolerances, "enclosed_regions", lambda *how: calls.append(how) or regions(*how))
+    assert list(second_attempts(looks))
+    assert calls == []
+    assert list(second_attempts(Looks(group, thin(group.ink))))
+    assert calls

@@ -101,3 +101,17 @@ def test_a_silhouette_with_obtuse_corners_is_no_arc():
     path = np.concatenate([a + t * (b - a) for a, b in pairwise(ends)])
     skeleton = SimpleNamespace(paths=[np.rint(path).astype(np.int32)], pen_width=2.0)
     assert objects.bowed_part(skeleton, 500.0) == 0.0
+
+
+@pytest.mark.parametrize(("lines", "foreign", "asked"), [("wire", 20.0, 1), ("removed", 20.0, 0), ("wire", 1.0, 0)])
+def test_a_sure_wireframe_is_searched_for_narrow_holes_where_ink_is_left(monkeypatch, lines, foreign, asked):
+    sure = SimpleNamespace(confidence=0.95, energy=SimpleNamespace(lines=lines, foreign=foreign, total=100.0))
+    calls = []
+    monkeypatch.setattr(objects, "observed", lambda _: SimpleNamespace(skeleton=None, view=SimpleNamespace(size=100.0)))
+    monkeypatch.setattr(objects, "bowed_part", lambda *_: 0.0)
+    monkeypatch.setattr(objects, "find", lambda _: sure)
+    monkeypatch.setattr(objects, "find_drilled", lambda *_: None)
+    monkeypatch.setattr(objects, "find_sweep", lambda *_, **how: calls.append(how))
+    assert objects.find_one(None) is sure
+    assert len(calls) == asked
+    assert all(not how["arcs"] for how in calls)

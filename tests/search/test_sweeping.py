@@ -10,7 +10,7 @@ from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, drawn, ellipse, 
 from sketches import DEPTH, ink_of, paper, prism
 
 from sketch2shape.search import FoundSweep, find_all, sweep_as_object
-from sketch2shape.search.sweeping import _likely_pyramids
+from sketch2shape.search.sweeping import VAIN, _is_vain, _likely_pyramids
 from sketch2shape.sweeps import Frame, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
 
@@ -176,3 +176,14 @@ def test_of_two_bases_that_explain_as_much_the_one_with_fewer_sides_is_likelier(
     more = replace(PYRAMID, rings=(polygon(np.concatenate([base.vertices, middle[None]])),))
     scene = SimpleNamespace(pyramids=(more, PYRAMID), size=250.0, cells=SimpleNamespace(value_of_lines=lambda _: 0.9))
     assert _likely_pyramids(scene) == [PYRAMID, more]
+
+
+@pytest.mark.parametrize(
+    ("nats", "left", "vain"),
+    [(101.0, VAIN + 0.01, True), (99.0, VAIN + 0.01, False), (101.0, VAIN, False), (100.0, 1.0, False)],
+)
+def test_what_costs_more_than_no_object_and_leaves_much_is_not_moved_to_the_ink(nats, left, vain):
+    found = SimpleNamespace(
+        nats=nats, unexplained=left, compared=SimpleNamespace(view=SimpleNamespace(all_foreign=100.0))
+    )
+    assert _is_vain(found) is vain

@@ -122,8 +122,7 @@ def guessed(page: Chrome) -> None:
 def working(page: Chrome) -> None:
     drawn(page)
     page.execute_script(
-        "document.getElementById('busy').hidden = false;"
-        "document.getElementById('busy-words').textContent = 'Working';"
+        "document.getElementById('busy').hidden = false;document.getElementById('busy-words').textContent = 'Working';"
     )
 
 
