@@ -9,7 +9,7 @@ from sketch2shape.ink.kernels import square
 from sketch2shape.model import Bools, as_gray
 
 WIDEST = 0.06
-"""Width of a gap at most, as a share of the diagonal of all faces: wide ones of icons are 0.044."""
+"""Width of a gap at most, as a share of the diagonal of all faces: wider ones are notches and ways between things."""
 ENDS = 2
 """Ends at which a gap runs out of the object, at least: a notch has one."""
 BESIDE, MOSTLY = 15, 0.8
@@ -22,6 +22,7 @@ def gaps_between(faces: Bools, paper: Bools) -> Bools:
 
     faces : (h, w) bool, areas of other tones than the paper's
     paper : (h, w) bool, those of its own
+    returns : (h, w) bool
     """
     _, _, width, height = cv2.boundingRect(as_gray(faces))
     box = square(WIDEST * float(np.hypot(width, height)))

@@ -77,7 +77,11 @@ class _Arcs:
 
 
 def _measured(arcs: Ints, joints: Ints) -> _Arcs:
-    """The arcs of a map, all at once: a page of text has thousands."""
+    """The arcs of a map, all at once: a page of text has thousands.
+
+    arcs   : (h, w) int, numbers of the arcs, 1 to n, 0 elsewhere
+    joints : (h, w) int, those of the joints
+    """
     ys, xs = np.nonzero(arcs)
     order = np.argsort(arcs[ys, xs], kind="stable")
     points = np.stack([xs, ys], axis=1)[order].astype(np.float64)
@@ -95,7 +99,7 @@ def _measured(arcs: Ints, joints: Ints) -> _Arcs:
     axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     along = (off * axis[own]).sum(axis=1)
     across = off[:, 1] * axis[own, 0] - off[:, 0] * axis[own, 1]
-    # the first place of each arc in the order of how far along it lies, and the last
+    # the points of each arc in the order of how far along it they lie: the first and the last are its ends
     sorted_along = np.lexsort((along, own))
     last = np.cumsum(size).astype(np.intp)
     tips = np.stack([sorted_along[last - size.astype(np.intp)], sorted_along[last - 1]], axis=1)

@@ -31,8 +31,8 @@ SHARED = 0.5
 MOST_STEPS = 4000
 """Nodes of the search for the best choice."""
 MOST_SHARED = 4000
-"""Pairs of spans on the same ink beyond which none is chosen: wireframes have up to some 1,600, and of ten times as
-many no solver makes an end."""
+"""Pairs of spans on the same ink beyond which none is chosen: wireframes that are read have some 1,600 at most. With
+15,000 the solver takes seconds, with 326,000, of a hatched cube, it had made no end in ten minutes."""
 SMOOTH = 0.3
 """Angle, radians, up to which a line and an arc, or two arcs, run into each other smoothly."""
 
