@@ -59,14 +59,15 @@ def _answers(case: Case) -> list[Answer]:
     """Every hypothesis found in a drawing, refused ones too."""
     from sketch2shape.ink import find_ink
     from sketch2shape.reading import read_picture
-    from sketch2shape.search import Found, as_object, find_all
+    from sketch2shape.search import Found, as_object, find_closely
 
     try:
         ink = find_ink(read_picture(case.picture, reduced=True))
     except Sketch2ShapeError:
         return []
-    found = ((f.witnesses, as_object(f.rings, f.evidence, ink)) for f in find_all(ink) if isinstance(f, Found))
-    return [Answer(seen, _is_right(case, obj), case.half) for seen, obj in found if seen is not None]
+    found, ink = find_closely(ink)
+    given = ((f.witnesses, as_object(f.rings, f.evidence, ink)) for f in found if isinstance(f, Found))
+    return [Answer(seen, _is_right(case, obj), case.half) for seen, obj in given if seen is not None]
 
 
 def _is_right(case: Case, obj: Any) -> bool:

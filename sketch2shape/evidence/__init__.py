@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sketch2shape.evidence.calibration import EVEN_ODDS, REFUSE_BELOW, Weights, confidence
 from sketch2shape.evidence.detectors_agree import vouched
-from sketch2shape.evidence.energy import Comparison, Energy, compare, nearest_edges, with_hidden
+from sketch2shape.evidence.energy import LEAST_DRAWN, Comparison, Energy, compare, nearest_edges, with_hidden
 from sketch2shape.evidence.exact import exactly_drawn
 from sketch2shape.evidence.redrawing import compare_sweep
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
@@ -17,6 +17,7 @@ from sketch2shape.evidence.witness import WITNESSES, witnesses
 
 __all__ = [
     "EVEN_ODDS",
+    "LEAST_DRAWN",
     "PERFECT",
     "REFUSE_BELOW",
     "SWEEP_WITNESSES",

@@ -190,8 +190,8 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     end |= grown(depth[None] >= 1, lengths[None], GAP * view.pen)[0]
     wanted = np.where(depth == 0, MISSING * each * np.where(end, GAP_PRICE, 1.0), 0.0)
     hidden = depth == 2
-    every = nearest_edges(view.points, a, span)
-    seen = nearest_edges(view.points, a, span, ~hidden) if hidden.any() else every
+    every = nearest_to_ink(view, a, span)
+    seen = nearest_to_ink(view, a, span, ~hidden) if hidden.any() else every
     m = len(v) // 2
     reach = max(LEAST_APART, APART * view.pen)
     laid = coincidences(a, span, lengths + 1e-9, np.asarray((depth == 0).mean(axis=1)), reach)
@@ -199,6 +199,12 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     misses = _misses(v[:m], v[m:], drawn)
     holes = len(rings.sizes) - 1
     return Comparison(view, lengths, off, wanted, hidden * each, every, seen, misses, m, laid, holes)
+
+
+def nearest_to_ink(view: View, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:
+    """The same as `nearest_edges` for the ink of a drawing, where any line through a blot runs on it."""
+    distance, edge = nearest_edges(view.points, a, span, shown)
+    return np.maximum(distance - view.slack, 0.0), edge
 
 
 def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:

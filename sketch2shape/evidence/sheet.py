@@ -72,7 +72,11 @@ def skeleton_sheet(skeleton: Skeleton, weights: Floats, reach: float) -> Sheet:
 
 
 def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
-    """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little."""
+    """What hypotheses are compared with. Small pieces may be letters: explaining them counts for little.
+
+    Blots are explained by any line, so they count for nothing.
+    """
     at = np.rint(skeleton.points).astype(np.intp)
     weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
+    weights[skeleton.slack(skeleton.points) > 0] = 0.0
     return skeleton_sheet(skeleton, weights, reach + 0.5)

@@ -52,6 +52,7 @@ class View:
     points   : (k, 2) float, pixels of its paths, thinned out
     path     : (k,) int, the path of each
     length   : (k,) float, pixels of ink that each stands for; ink of small pieces counts for little
+    slack    : (k,) float, pixels by which a line may run beside each, within a blot
     pen      : stroke width, pixels
     size     : diagonal of the ink, pixels
     """
@@ -60,6 +61,7 @@ class View:
     points: Floats
     path: Ints
     length: Floats
+    slack: Floats
     pen: float
     size: float
 
@@ -139,7 +141,7 @@ def observe(group: Group, skeleton: Skeleton) -> View:
     if small.any():
         length[small] *= np.where(np.array([_is_straight(p) for p in paths])[owner[small]], DASH, SPECK)
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0))) if len(skeleton.points) else 1.0
-    return View(skeleton, points.astype(float), owner, length, skeleton.pen_width, size)
+    return View(skeleton, points.astype(float), owner, length, skeleton.slack(points), skeleton.pen_width, size)
 
 
 def _is_straight(path: NDArray[Any]) -> bool:

@@ -8,11 +8,11 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges
+from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges, nearest_to_ink
 from sketch2shape.evidence.overlaps import HALF, ONE_WAY, PLACES, beside
 from sketch2shape.evidence.score import Evidence
 from sketch2shape.evidence.view import MOSTLY, View
-from sketch2shape.hypotheses import Rings, frame
+from sketch2shape.hypotheses import Frame, Rings, frame
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes import join_ends, trace_skeleton
 
@@ -31,6 +31,7 @@ WITNESSES = (
     "small",
     "doubled",
     "map",
+    "rival",
 )
 """Names of the witnesses, in order."""
 TOUCHING = 0.03
@@ -47,17 +48,22 @@ BESIDE = 0.35
 """Pens between two edges drawn along each other."""
 BLUR, PEN_BOW = 0.5, 0.1
 """Pixels, and pens more, by which the ink of a straight edge may seem to bow."""
+RIVAL = 0.2
+"""Price of the next best hypothesis above the best, over that of all ink, at which it says a third as much."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 
 
-def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence) -> Floats:
-    """(w,) float, see `WITNESSES`."""
+def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence, gap: float = np.inf) -> Floats:
+    """(w,) float, see `WITNESSES`.
+
+    gap : nats to the next best hypothesis that is another object, or none
+    """
     view = compared.view
     v, edges = rings.vertices, frame(rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
-    distance, edge = nearest_edges(view.points, a, span)
+    distance, edge = nearest_to_ink(view, a, span)
     reach = near_line(energy.noise)
     left = distance > reach
     ink = float(view.length.sum()) + 1e-9
@@ -74,12 +80,13 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
             np.log(energy.noise / view.noises[0]),
             np.log(m),
             1.0 - float(evidence.drawn.mean()),
-            _bend(view, ~left, edge, a, span / length[:, None], length),
+            _bend(_bows(view, ~left & (view.slack == 0), edge, a, span / length[:, None], length), frame(rings.sizes)),
             float(directions(span, length) <= 2),
             np.log(depth / (view.pen + 2 * energy.noise)),
             np.log(size / view.pen),
             doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
             energy.shape / energy.vertex / m,
+            np.exp(-max(gap, 0.0) / (RIVAL * view.all_foreign + 1e-9)),
         ]
     )
 
@@ -121,8 +128,32 @@ def _loose(view: View, a: Floats, span: Floats, reach: float) -> int:
     return int(np.count_nonzero(meeting & (away > reach + view.pen)))
 
 
-def _bend(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floats) -> float:
-    """The most that the ink of an edge bows to one side, as a fraction of the edge: arcs taken for chords."""
+def _bend(bows: Floats, rings: Frame) -> float:
+    """The most that edges bow as an arc of the object would, as a fraction of the edge: arcs taken for chords.
+
+    bows : (3m,) float, signed, nan where too little of an edge has ink to tell
+
+    An arc is drawn twice, in both faces to the same side, and connecting edges that are arcs are the arcs of faces
+    found elsewhere: two beside each other. The bow of an edge whose counterpart is straight is the hand's.
+    """
+    front, back, rung = bows[rings.fronts], bows[rings.backs], bows[rings.rungs]
+    alone = np.isnan(front) ^ np.isnan(back)
+    single = np.where(alone, np.fmax(np.abs(front), np.abs(back)), 0.0)
+    pairs = (single, _alike(front, back), _alike(rung, rung[rings.after]))
+    return float(max(both.max(initial=0.0) for both in pairs))
+
+
+def _alike(one: Floats, other: Floats) -> Floats:
+    """By how much both bow to the same side; 0 where it is not known of either."""
+    least = np.where(one * other > 0, np.minimum(np.abs(one), np.abs(other)), 0.0)
+    return np.asarray(np.nan_to_num(least))
+
+
+def _bows(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Floats) -> Floats:
+    """(e,) how much the ink of each edge bows, and to which side, as a fraction of the edge; nan where little is known.
+
+    What the pen may seem to bow is taken off.
+    """
     p, e = view.points[mine], edge[mine]
     to = p - a[e]
     t = (to * u[e]).sum(axis=1) / length[e]
@@ -133,8 +164,9 @@ def _bend(view: View, mine: Bools, edge: Ints, a: Floats, u: Floats, length: Flo
     cov, var = np.bincount(e, (shape - ms[e]) * (off - mo[e]), len(a)), np.bincount(e, (shape - ms[e]) ** 2, len(a))
     # ink along a part of an edge says nothing of how the whole bows
     some = (n >= LEAST_POINTS) & (var >= SPANNED * n)
-    bow = np.maximum(np.abs(cov[some] / var[some]) - BLUR - PEN_BOW * view.pen, 0.0)
-    return float((bow / length[some]).max(initial=0.0))
+    bow = cov / np.where(some, var, 1.0)
+    more = np.maximum(np.abs(bow) - BLUR - PEN_BOW * view.pen, 0.0)
+    return np.where(some, np.sign(bow) * more / length, np.nan)
 
 
 def directions(span: Floats, length: Floats, enough: int | None = None) -> int:

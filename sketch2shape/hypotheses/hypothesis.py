@@ -63,6 +63,21 @@ def coincide(a: Floats, b: Floats, near: float) -> bool:
     return bool(gap.min(axis=0).max() <= near and gap.min(axis=1).max() <= near)
 
 
+def has_edges(other: Rings, rings: Rings, drawn: Bools, near: float) -> bool:
+    """Whether another object has the drawn edges of one, and no more in all, whichever faces it calls its own.
+
+    drawn : (m,) bool, back vertices of `rings` that are drawn
+    near  : pixels by which either end of an edge may lie elsewhere
+    """
+    edges = frame(rings.sizes).edges
+    mine, theirs = rings.vertices[edges], other.vertices[frame(other.sizes).edges]
+    if len(mine) != len(theirs):
+        return False
+    mine = mine[np.append(np.ones_like(drawn), drawn)[edges].all(axis=1)]
+    ways = (np.abs(mine[:, None] - way).max(axis=(2, 3)) for way in (theirs, theirs[:, ::-1]))
+    return bool(np.minimum(*ways).min(axis=1).max() <= near)
+
+
 @dataclass(frozen=True)
 class Frame:
     """What connects the vertices of rings of certain sizes, m vertices to a face.

@@ -26,6 +26,7 @@ from sketch2shape.ink.histogram import percentile
 from sketch2shape.ink.noise import noise_of, paper_marks, without_bands
 from sketch2shape.ink.page import find_page, page_homography
 from sketch2shape.ink.pen_width import FINE, pen_width_of, rough_pen_width
+from sketch2shape.ink.solid_faces import without_solid_faces
 from sketch2shape.ink.tones import with_borders
 from sketch2shape.model import Bools, Floats, Gray, Ink, Picture, as_gray
 from sketch2shape.reading import read_picture
@@ -93,6 +94,7 @@ def _found(picture: Picture) -> Ink:
     drawn = without_hatch_lines(without_hatching(drawn, diagonal))
     drawn = without_clutter(drawn, part, noisy=ringing > 0.0 or noise > 0.5)
     pen_width = pen_width_of(drawn)
+    drawn = without_solid_faces(drawn, pen_width, diagonal)
     closer = _frame(drawn.view(np.uint8), MARGIN * diagonal)
     if closer is not None:  # without what was cleared away it is smaller, often by half
         part = part[closer]

@@ -19,7 +19,7 @@ from sketch2shape.pipeline.options import corrections_of, explained, lift_option
 from sketch2shape.pipeline.result import Result
 from sketch2shape.pipeline.solid import Solid
 from sketch2shape.pipeline.solid import lift as lift_solid
-from sketch2shape.search import AnyFound, FoundSweep, Verified, as_object, find_all, sweep_as_object
+from sketch2shape.search import AnyFound, FoundSweep, Verified, as_object, find_closely, sweep_as_object
 from sketch2shape.strokes import detector_named
 
 if TYPE_CHECKING:
@@ -77,7 +77,8 @@ def reconstruct(
     with _timed(timings, "ink"):
         ink = find_ink(picture)
     with _timed(timings, "faces"):
-        objects = tuple(choose_front(_as_object(f, ink, connector, detector)) for f in find_all(ink))
+        found, ink = find_closely(ink)
+        objects = tuple(choose_front(_as_object(f, ink, connector, detector)) for f in found)
     sure = tuple(o for o in objects if o.confidence >= REFUSE_BELOW)
     if not sure:
         raise _why_not(objects, ink, picture)

@@ -8,16 +8,16 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.evidence import EVEN_ODDS, REFUSE_BELOW
+from sketch2shape.evidence import EVEN_ODDS, REFUSE_BELOW, WITNESSES
 from sketch2shape.geometry import cross
 from sketch2shape.ink import Group, closed_at_border, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.found_sweep import FoundSweep
-from sketch2shape.search.observed import observed
+from sketch2shape.search.observed import Observed, observed
 from sketch2shape.search.search import Found, find
-from sketch2shape.search.sweeping import SLIGHT, find_sweep
+from sketch2shape.search.sweeping import SLIGHT, find_pyramid, find_sweep
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_PATH
 
@@ -40,6 +40,8 @@ LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
 LACKING = 8.0
 """Nats of missing lines that a figure of few lines may lack."""
+ATTACHED = 0.03
+"""Part of the ink that touches a straight object and is none of it, from which on it may be a pyramid."""
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 
@@ -98,12 +100,19 @@ def find_one(group: Group) -> AnyFound | None:
     drilled = find_drilled(seen, straight) if straight is not None and _leaves_some(straight) else None
     if drilled is not None and drilled.confidence >= LIKELY and drilled.unexplained <= SLIGHT:
         return drilled
-    doubted = straight is None or straight.confidence < TRUSTED or _may_have_narrow_holes(straight)
-    if bowed < BOWED and (doubted or bowed >= SOME_BOWED):
-        hopeless = straight is None or straight.confidence < REFUSE_BELOW
-        below = np.inf if straight is None or straight.energy is None else straight.energy.total
-        swept = find_sweep(seen, arcs=bowed >= SOME_BOWED or hopeless, below=below)
+    if bowed < BOWED:
+        swept = _find_other(seen, straight, some_bowed=bowed >= SOME_BOWED)
     return _better(straight, min((s for s in (drilled, swept) if s is not None), key=lambda s: s.nats, default=None))
+
+
+def _find_other(seen: Observed, straight: Found | None, *, some_bowed: bool) -> FoundSweep | None:
+    """The best answer with arcs, holes or an apex, where few lines bow and what the straight one leaves tells it."""
+    below = np.inf if straight is None or straight.energy is None else straight.energy.total
+    doubted = straight is None or straight.confidence < TRUSTED or _may_have_narrow_holes(straight)
+    if doubted or some_bowed:
+        hopeless = straight is None or straight.confidence < REFUSE_BELOW
+        return find_sweep(seen, arcs=some_bowed or hopeless, below=below)
+    return find_pyramid(seen, below) if straight is not None and _may_be_pointed(straight) else None
 
 
 def _leaves_some(straight: Found) -> bool:
@@ -114,6 +123,11 @@ def _leaves_some(straight: Found) -> bool:
 def _may_have_narrow_holes(straight: Found) -> bool:
     """Whether there is ink left in a wireframe: round holes that edges cross do not bow to the eye."""
     return straight.energy is not None and straight.energy.lines == "wire" and _leaves_some(straight)
+
+
+def _may_be_pointed(straight: Found) -> bool:
+    """Whether there is ink left that touches the object: edges of a pyramid that is taken for a prism."""
+    return straight.witnesses is not None and straight.witnesses[WITNESSES.index("attached")] > ATTACHED
 
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:

@@ -15,6 +15,7 @@ import numpy as np
 
 from sketch2shape.evidence import (
     EVEN_ODDS,
+    LEAST_DRAWN,
     PERFECT,
     REFUSE_BELOW,
     Comparison,
@@ -30,7 +31,7 @@ from sketch2shape.evidence import (
     witnesses,
 )
 from sketch2shape.fit import EXACT, on_map, refine, simplified
-from sketch2shape.hypotheses import Rings, coincide, plausible, split
+from sketch2shape.hypotheses import Rings, coincide, has_edges, plausible, split
 from sketch2shape.model import TRUSTED, Floats
 from sketch2shape.search.attempts import (
     GOOD,
@@ -67,6 +68,8 @@ BARE = 0.05
 """Part of an edge with ink below which it has none."""
 COMPARABLE = 0.1
 """Difference of scores up to which answers tell the noise of the hand that drew."""
+ANOTHER = 0.03
+"""Fraction of the drawing's size by which an edge lies elsewhere at least where it makes another object."""
 MAIN = 0.5
 """Part of the ink from which on an answer that is drawn whole tells the noise of the hand, whatever else is drawn."""
 
@@ -96,15 +99,15 @@ def find(seen: Observed) -> Found | None:
     tried, found = list[Attempt](), list[Found]()
     for look in (attempts, second_attempts):
         _search(_noted(look(looks), tried), seen.view, found)
-        best = _told(_best(found))
+        best = _told(_best(found), found)
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
     else:
         _search(climbed_attempts(looks, tried), seen.view, found)
-        best = _likelier(best, _told(_best(found)), found)
+        best = _likelier(best, _told(_best(found), found), found)
     if best is not None and best.confidence >= TRUSTED and not _leaves_nothing(best):
         _search(grown_attempts(looks, (best.rings, best.evidence)), seen.view, found)
-        other = _told(_best(found))
+        other = _told(_best(found), found)
         best = other if other is not None and _is_cheaper(other, best) else best
     return best and _with_hidden(best)
 
@@ -124,7 +127,7 @@ def _likelier(known: Found | None, best: Found | None, found: list[Found]) -> Fo
 def _likeliest(best: Found, found: list[Found]) -> Found:
     """Of hypotheses that cost hardly more than the best, the one that the witnesses speak for most."""
     most = _total(best) + WITNESSED * LOG_ODDS
-    rivals = [told for f in _priced(found) if _total(f) < most and (told := _told(f)) is not None]
+    rivals = [told for f in _priced(found) if _total(f) < most and (told := _told(f, found)) is not None]
     other = min(rivals, key=_doubted, default=best)
     return other if _doubted(other) < _doubted(best) - TIE else best
 
@@ -151,14 +154,29 @@ def _noted(tries: Iterable[Attempt], tried: list[Attempt]) -> Iterator[Attempt]:
         yield attempt
 
 
-def _told(best: Found | None) -> Found | None:
-    """The answer with what speaks for and against it, and how sure that makes it."""
+def _told(best: Found | None, found: list[Found]) -> Found | None:
+    """The answer with what speaks for and against it among all that were found, and how sure that makes it."""
     if best is None or best.energy is None or best.compared is None:
         return None
-    told = witnesses(best.rings, best.energy, best.compared, best.evidence)
+    told = witnesses(best.rings, best.energy, best.compared, best.evidence, _gap(best, found))
     sure = confidence(told)
-    is_none = sure < EVEN_ODDS and best.evidence.weakest < BARE  # doubtful, and an edge that nobody has drawn
+    # a face alone, or doubtful and an edge that nobody has drawn
+    is_face = np.count_nonzero(best.evidence.drawn) < LEAST_DRAWN
+    is_none = is_face or (sure < EVEN_ODDS and best.evidence.weakest < BARE)
     return replace(best, witnesses=told, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
+
+
+def _gap(best: Found, found: list[Found]) -> float:
+    """Nats to the next best that is another object, or to none, which leaves all ink unexplained.
+
+    One with the same lines, whatever it calls its faces, is no other.
+    """
+    if best.compared is None or best.energy is None:
+        return np.inf
+    view, drawn = best.compared.view, best.evidence.drawn
+    near = max(ANOTHER * view.size, view.pen + 2.0 * best.energy.noise)
+    rivals = [_total(f) for f in _priced(found) if not has_edges(f.rings, best.rings, drawn, near)]
+    return min([view.all_foreign, *rivals]) - best.energy.total
 
 
 def _search(tries: Iterable[Attempt], view: View, found: list[Found]) -> None:
@@ -331,7 +349,7 @@ def _put_right(rings: Rings, judged: Evidence, sheet: Sheet, points: Floats) -> 
 
 def _refined(traced: Traced, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
     """The hypothesis moved to the ink and without needless vertices, judged as strictly as the lines allow."""
-    points = traced.skeleton.points
+    points = traced.skeleton.outside_blots
     moved, noise = refine(rings, points, sheet.reach, evidence.drawn)
     strict = replace(sheet, reach=min(sheet.reach, max(2.0, 3.0 * noise + 0.1 * sheet.pen + 1.0)))
     judged = judge(moved, strict) if plausible(moved, 0.0) else None

@@ -63,12 +63,30 @@ def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> F
         _improve(hopeful, done, scene, enough)
         if any(_stands(f, enough) for f in done.values()):
             break
+    return _best(done, some, scene)
+
+
+def _best(done: dict[FoundSweep, FoundSweep], some: list[_Begun], scene: Scene) -> FoundSweep | None:
+    """The cheapest of those that were improved, held against those that were begun."""
     found = [f for f in done.values() if _shows_depth(f, scene)]
     if not found:
         return None
     best = cheapest(found)
     rivals = [f.under(best.hand) for f in (*found, *(f for f, _ in some)) if not _is_same(f, best, scene.size)]
     return _dashed(best, scene).against(min(rivals, default=np.inf) - best.nats)
+
+
+def find_pyramid(seen: Observed, below: float) -> FoundSweep | None:
+    """The best pyramid or cone with straight lines for the ink of one object, or None.
+
+    below : nats of the best other object: what cannot come below is not looked at closely
+    """
+    scene = Scene(seen.drawn, seen.skeleton, seen.view)
+    some: list[_Begun] = [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
+    some.sort(key=lambda b: b[0].nats)
+    done: dict[FoundSweep, FoundSweep] = {}
+    _improve([b for b in some[:MOST_IMPROVED] if b[0].nats < below], done, scene, TRUSTED)
+    return _best(done, some, scene)
 
 
 def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:

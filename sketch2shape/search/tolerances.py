@@ -17,6 +17,7 @@ from sketch2shape.hypotheses import CornerGraph, Region, enclosed_regions
 from sketch2shape.ink import Group
 from sketch2shape.model import Floats
 from sketch2shape.strokes import Corners, Skeleton, Strokes, are_covered, crossings, join_ends, trace_skeleton
+from sketch2shape.strokes.loose_ends import without_loose_ends
 
 LEAST_INK = 30
 """Pixels of the skeleton below which ink is no drawing of an object."""
@@ -117,7 +118,8 @@ class Traced:
     @cached_property
     def strokes(self) -> Strokes:
         """The straight strokes of all ink that is neither letters nor dashes."""
-        return trace_skeleton(self.skeleton, self.tolerance, self.group.solid)
+        strokes = trace_skeleton(self.skeleton, self.tolerance, self.group.solid)
+        return without_loose_ends(strokes, join_ends(strokes, self.skeleton.pen_width), self.skeleton)
 
     @cached_property
     def corners(self) -> Corners:

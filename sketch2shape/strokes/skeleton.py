@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from sketch2shape.ink import drawn
 from sketch2shape.model import Bools, Floats, Ink, Ints
+from sketch2shape.strokes.blots import blots_of
 from sketch2shape.strokes.known_lines import known_paths
 
 FAR_AWAY = 1e4
@@ -31,31 +32,50 @@ class Skeleton:
     paths     : (m, 2) int32 each, x and y of the pixels of every branch in walking order; float where the lines are
                 known, not thinned
     pen_width : pixels
+    blots     : (h, w) float32, pixels by which a line may run beside the skeleton within a blot; None without any
     """
 
     mask: NDArray[np.uint8]
     points: Floats
     paths: tuple[NDArray[Any], ...]
     pen_width: float
+    blots: NDArray[np.float32] | None = None
 
     @property
     def is_known(self) -> bool:
         """Whether the lines came as vectors: where they run is known between the pixels."""
         return bool(self.paths) and self.paths[0].dtype.kind == "f"
 
+    @property
+    def outside_blots(self) -> Floats:
+        """(l, 2) float, those of the points that tell where lines run."""
+        return self.points if self.blots is None else self.points[self.slack(self.points) == 0]
+
+    def slack(self, points: Floats) -> Floats:
+        """(k,) pixels by which a line may run beside points (k, 2) of the skeleton."""
+        if self.blots is None:
+            return np.zeros(len(points))
+        x, y = np.rint(points).astype(np.intp).T
+        return np.asarray(self.blots[y, x], float)
+
+    @cached_property
+    def _lines(self) -> NDArray[np.uint8]:
+        """(h, w), 1 on the skeleton and in blots."""
+        return self.mask if self.blots is None else np.maximum(self.mask, (self.blots > 0).view(np.uint8))
+
     @cached_property
     def distance(self) -> NDArray[np.float32]:
-        """(h, w), distance of every pixel to the skeleton, pixels."""
-        return _distance(1 - self.mask)
+        """(h, w), distance of every pixel to the skeleton, or to a blot, pixels."""
+        return _distance(1 - self._lines)
 
     def near(self, reach: float) -> NDArray[np.uint8]:
-        """(h, w), 1 within reach, in pixels, of the skeleton."""
+        """(h, w), 1 within reach, in pixels, of the skeleton or a blot."""
         if reach > FAR:
             return np.asarray(self.distance <= reach).view(np.uint8)
         point = np.ones((2 * int(reach) + 1,) * 2, np.uint8)
         point[int(reach), int(reach)] = 0
         ball = np.asarray(_distance(point) <= reach, np.uint8)
-        return np.asarray(cv2.dilate(self.mask, ball), np.uint8)
+        return np.asarray(cv2.dilate(self._lines, ball), np.uint8)
 
 
 def thin(ink: Ink) -> Skeleton:
@@ -75,7 +95,7 @@ def thin(ink: Ink) -> Skeleton:
     paths = _ordered_paths(np.asarray(branches, np.uint8))
     ys, xs = np.divmod(np.flatnonzero(mask.view(np.bool_)), mask.shape[1])
     points = np.stack([xs, ys], axis=1, dtype=np.float64, casting="unsafe")
-    return Skeleton(mask, points, tuple(paths), ink.pen_width)
+    return Skeleton(mask, points, tuple(paths), ink.pen_width, blots_of(ink))
 
 
 def _distance(away: NDArray[np.uint8]) -> NDArray[np.float32]:

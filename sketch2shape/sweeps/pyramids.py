@@ -1,7 +1,8 @@
 """Pyramids: a corner that lines join to all corners of a base.
 
-Where all edges are drawn, the base is a cycle of such corners. With hidden edges left out only the near corners of the
-base are seen; of a regular base, three tell the rest.
+Where all edges are drawn, the base is a cycle of such corners. With hidden edges left out only the near corners of a
+base that is behind are seen; of a regular base, three tell the rest. A base in front is seen whole, but some of the
+edges to the apex lie behind it.
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ MOST_SIDES = 12
 """Sides of a base."""
 SIDES = {4: 0.7, 3: 1.6, 6: 1.9, 5: 2.3, 8: 3.0}
 """Nats for the number of sides of a regular base, the likeliest first."""
+MOST_BEHIND = 4
+"""Corners of a base in front whose edges to the apex lie behind it."""
 MISFIT = 0.03
 """Fraction of the size by which seen corners may miss a regular base."""
 LEANING = 0.06
@@ -99,7 +102,7 @@ def _over(around: Ints, points: Floats, inked: Bools, size: float, reach: float)
     for chain in _chains([int(a) for a in around], inked):
         closed = len(chain) > 2 and bool(inked[chain[0], chain[-1]])
         if closed:
-            base = cv2.approxPolyDP(points[chain].astype(np.float32)[:, None], reach, True)[:, 0].astype(float)
+            base = _without_straight(points[chain], reach)
             if len(base) >= 3:
                 yield from (Sweep((polygon(base),), way, is_near) for is_near in (True, False))
         else:
@@ -109,6 +112,10 @@ def _over(around: Ints, points: Floats, inked: Bools, size: float, reach: float)
         for chain in [c for c in chains if len(c) == longest][:2]:
             for base in _regular_bases(points[chain], points[0], size):
                 yield Sweep((polygon(base),), way, is_near=False, regular=SIDES[len(base)])
+            for walk in _closed(chain, inked):
+                base = _without_straight(points[walk], reach)
+                if len(base) == len(walk):
+                    yield Sweep((polygon(base),), way, is_near=True)
 
 
 def _chains(around: list[int], inked: Bools) -> Iterator[list[int]]:
@@ -125,6 +132,23 @@ def _chains(around: list[int], inked: Bools) -> Iterator[list[int]]:
         if (not after or closes) and len(walk) >= 3 and frozenset(walk) not in seen:
             seen.add(frozenset(walk))
             yield walk
+
+
+def _without_straight(base: Floats, reach: float) -> Floats:
+    """Corners of a base but for those that lie on the line of their neighbours, to a few pixels."""
+    return np.asarray(cv2.approxPolyDP(base.astype(np.float32)[:, None], reach, True)[:, 0], float)
+
+
+def _closed(chain: list[int], inked: Bools) -> Iterator[list[int]]:
+    """A walk gone on along edges until it is back, through corners that the apex, the first, is not joined to."""
+    stack = [chain]
+    while stack:
+        walk = stack.pop()
+        if len(walk) > len(chain) and inked[walk[-1], chain[0]]:
+            yield walk
+        elif len(walk) < len(chain) + MOST_BEHIND:
+            ahead = np.flatnonzero(inked[walk[-1]] & ~inked[0]).tolist()
+            stack += [[*walk, k] for k in ahead if k and k not in walk]
 
 
 def _regular_bases(chain: Floats, apex: Floats, size: float) -> Iterator[Floats]:

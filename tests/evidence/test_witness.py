@@ -1,24 +1,27 @@
 """Witnesses: each tells what it is named after."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
-from sketches import DEPTH, HEXAGON, SQUARE, ink_of, line, outline, prism, sheet_of
+from sketches import DEPTH, HEXAGON, SQUARE, ink_of, line, outline, paper, prism, sheet_of
 
 from sketch2shape.evidence import WITNESSES, compare, judge, observe, witnesses
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.ink import split_groups
+from sketch2shape.model.drawing import ring_edges
 from sketch2shape.strokes.skeleton import thin
 
 BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
 
 
-def seen_in(picture, rings=BOX, hand=0.5):
+def seen_in(picture, rings=BOX, hand=0.5, gap=np.inf):
     (group,) = split_groups(ink_of(picture))
     view = observe(group, thin(group.ink))
     evidence = judge(rings, sheet_of(picture))
     own = rings.shifted(-group.offset)
     compared = compare(own, view, evidence.drawn, 4.0)
-    found = witnesses(own, compared.energy(hand), compared, evidence)
+    found = witnesses(own, compared.energy(hand), compared, evidence, gap)
     return dict(zip(WITNESSES, found, strict=True))
 
 
@@ -90,3 +93,28 @@ def test_hidden_edges_along_visible_ones_are_no_doubt():
     front = np.array([[200.0, 220], [200 + c, 220 - s], [200, 220 - 2 * s], [200 - c, 220 - s]])
     picture = prism(front, front + [0, 90.0], "removed")
     assert seen_in(picture, Rings((front,), (front + [0, 90.0],)))["doubled"] < 0.1
+
+
+def bowed_box(*edges):
+    """A box of which some edges are drawn as arcs, by the numbers of their ends."""
+    vertices = np.concatenate([SQUARE, SQUARE + DEPTH])
+    picture, t = paper(), np.linspace(0, 1, 30)[:, None]
+    for i, j in ring_edges([4]).tolist():
+        a, b = vertices[i], vertices[j]
+        bow = 11.0 * (1 - (2 * t - 1) ** 2) * [0.0, 1.0] if (i, j) in edges else 0.0
+        points = a + t * (b - a) + bow
+        for p, q in pairwise(points):
+            line(picture, p, q)
+    return picture
+
+
+def test_an_arc_bows_in_both_faces_and_a_hand_in_one():
+    hand = seen_in(bowed_box((0, 1)), hand=6.0)["bend"]
+    arc = seen_in(bowed_box((0, 1), (4, 5)), hand=6.0)["bend"]
+    assert hand < 0.02 < 0.04 < arc
+
+
+def test_a_rival_speaks_the_louder_the_closer_it_comes():
+    loud = [seen_in(prism(SQUARE, SQUARE + DEPTH), gap=gap)["rival"] for gap in (-5.0, 0.0, 20.0, 200.0, np.inf)]
+    assert loud[0] == loud[1] == 1.0
+    assert loud[1] > loud[2] > loud[3] > loud[4] == 0.0

@@ -3,7 +3,7 @@
 import numpy as np
 from sketches import DEPTH, L_SHAPE, SQUARE, shrunk
 
-from sketch2shape.hypotheses.hypothesis import Rings, frame, plausible, split, stack, which_plausible
+from sketch2shape.hypotheses.hypothesis import Rings, frame, has_edges, plausible, split, stack, which_plausible
 
 BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
 HOLE = shrunk(SQUARE, 0.4, SQUARE.mean(axis=0))
@@ -45,3 +45,23 @@ def test_a_crossed_hole_is_found_out():
     crossed = HOLE[[0, 2, 1, 3]]
     assert plausible(Rings((SQUARE, HOLE), (SQUARE + DEPTH, HOLE + DEPTH)), 3.0)
     assert not plausible(Rings((SQUARE, crossed), (SQUARE + DEPTH, crossed + DEPTH)), 3.0)
+
+
+def test_the_same_box_has_the_same_edges_whatever_it_calls_its_faces():
+    drawn = np.ones(4, bool)
+    sides = split(BOX.vertices[[0, 1, 5, 4, 3, 2, 6, 7]], (4,))
+    for other in (BOX.swapped(), sides):
+        assert has_edges(other, BOX, drawn, 1.0)
+    assert not has_edges(Rings((SQUARE + 5.0,), (SQUARE + DEPTH,)), BOX, drawn, 1.0)
+    assert has_edges(Rings((SQUARE + 5.0,), (SQUARE + DEPTH,)), BOX, drawn, 6.0)
+    assert not has_edges(Rings((L_SHAPE,), (L_SHAPE + DEPTH,)), BOX, drawn, 500.0)
+    # the same vertices joined crosswise
+    assert not has_edges(Rings((SQUARE[[0, 2, 1, 3]],), ((SQUARE + DEPTH)[[0, 2, 1, 3]],)), BOX, drawn, 1.0)
+
+
+def test_where_a_hidden_vertex_lies_makes_no_other_object():
+    vertices = BOX.vertices
+    vertices[7] += 40.0
+    other = split(vertices, (4,))
+    assert not has_edges(other, BOX, np.ones(4, bool), 1.0)
+    assert has_edges(other, BOX, np.array([True, True, True, False]), 1.0)

@@ -30,7 +30,8 @@ def test_the_answer_is_that_of_the_search(style, face, by):
     searched = find_one(group).shifted(group.offset)
     assert coincide(exact.rings.vertices, searched.rings.vertices, 1.0)
     assert exact.evidence.lines == searched.evidence.lines == style
-    assert exact.confidence == pytest.approx(searched.confidence)
+    # the search has weighed the answer against none at all
+    assert exact.confidence == pytest.approx(searched.confidence, abs=0.01)
     assert exact.confidence > TRUSTED
 
 

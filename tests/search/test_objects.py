@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
-from sketch2shape.evidence import REFUSE_BELOW
+from sketch2shape.evidence import REFUSE_BELOW, WITNESSES
 from sketch2shape.search import objects
 
 
@@ -105,13 +105,42 @@ def test_a_silhouette_with_obtuse_corners_is_no_arc():
 
 @pytest.mark.parametrize(("lines", "foreign", "asked"), [("wire", 20.0, 1), ("removed", 20.0, 0), ("wire", 1.0, 0)])
 def test_a_sure_wireframe_is_searched_for_narrow_holes_where_ink_is_left(monkeypatch, lines, foreign, asked):
-    sure = SimpleNamespace(confidence=0.95, energy=SimpleNamespace(lines=lines, foreign=foreign, total=100.0))
-    calls = []
-    monkeypatch.setattr(objects, "observed", lambda _: SimpleNamespace(skeleton=None, view=SimpleNamespace(size=100.0)))
-    monkeypatch.setattr(objects, "bowed_part", lambda *_: 0.0)
-    monkeypatch.setattr(objects, "find", lambda _: sure)
-    monkeypatch.setattr(objects, "find_drilled", lambda *_: None)
+    sure, calls = _sure(monkeypatch, lines, foreign), []
     monkeypatch.setattr(objects, "find_sweep", lambda *_, **how: calls.append(how))
     assert objects.find_one(None) is sure
     assert len(calls) == asked
     assert all(not how["arcs"] for how in calls)
+
+
+@pytest.mark.parametrize(("attached", "asked"), [(0.2, 1), (0.0, 0)])
+def test_a_sure_prism_that_leaves_lines_beside_it_may_be_a_pyramid(monkeypatch, attached, asked):
+    sure, calls = _sure(monkeypatch, "removed", 20.0, attached), []
+    monkeypatch.setattr(objects, "find_pyramid", lambda _, below: calls.append(below))
+    assert objects.find_one(None) is sure
+    assert calls == [100.0] * asked
+
+
+def _sure(monkeypatch, lines, foreign, attached=0.0):
+    """A straight answer that is sure, and the only one."""
+    told = np.where(np.array(WITNESSES) == "attached", attached, 0.0)
+    energy = SimpleNamespace(lines=lines, foreign=foreign, total=100.0)
+    sure = SimpleNamespace(confidence=0.95, energy=energy, witnesses=told)
+    monkeypatch.setattr(objects, "observed", lambda _: SimpleNamespace(skeleton=None, view=SimpleNamespace(size=100.0)))
+    monkeypatch.setattr(objects, "bowed_part", lambda *_: 0.0)
+    monkeypatch.setattr(objects, "find", lambda _: sure)
+    monkeypatch.setattr(objects, "find_drilled", lambda *_: None)
+    return sure
+
+
+def test_a_pyramid_that_may_be_a_prism_is_read_as_one():
+    apex = np.array([90.0, 60])
+    base = np.array([[190.0, 150], [330, 90], [350, 250], [210, 330]])
+    picture = paper(400, 480)
+    for a, b in pairwise([*base, base[0]]):
+        line(picture, a, b)
+    for corner in base[[0, 1, 3]]:
+        line(picture, apex, corner)
+    (found,) = objects.find_all(ink_of(picture))
+    assert found.confidence > 0.8
+    assert found.sweep.way.is_pointed
+    assert np.hypot(*(found.sweep.way.centre - apex)) < 3

@@ -1,5 +1,6 @@
 """From the ink to the best verified hypothesis, drawing by drawing."""
 
+from dataclasses import replace
 from importlib import import_module
 from types import SimpleNamespace
 
@@ -8,9 +9,25 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, prism, same_object, shrunk
 
+from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.geometry.homology import apply
+from sketch2shape.hypotheses import Rings
+from sketch2shape.ink import split_groups
+from sketch2shape.model import TRUSTED
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
-from sketch2shape.search.search import DENSE, LOG_ODDS, TIE, WITNESSED, _doubted, _likelier, _likeliest, _search
+from sketch2shape.search.observed import observed
+from sketch2shape.search.search import (
+    DENSE,
+    LOG_ODDS,
+    TIE,
+    WITNESSED,
+    _doubted,
+    _gap,
+    _likelier,
+    _likeliest,
+    _search,
+    _told,
+)
 
 search = import_module("sketch2shape.search.search")
 TAPERED = shrunk(SQUARE, 0.6, np.array([440.0, 40]))
@@ -144,7 +161,7 @@ def _priced_at(nats, confidence):
 
 def test_what_witnesses_speak_for_may_cost_a_little_more_and_no_tie_is_broken(monkeypatch):
     monkeypatch.setattr(search, "_priced", lambda found: found)
-    monkeypatch.setattr(search, "_told", lambda found: found)
+    monkeypatch.setattr(search, "_told", lambda found, every: found if found in every else None)
     best = _priced_at(100.0, 0.2)
     # log odds of 1.4 for it and 1.4 against the best one are worth 28 nats
     likely, dear, alike = _priced_at(120.0, 0.8), _priced_at(126.0, 0.8), _priced_at(100.0, 0.25)
@@ -200,3 +217,34 @@ def test_what_a_climb_finds_where_nothing_was_has_to_be_likelier_right(monkeypat
     assert _likelier(none, even, []) is even
     assert _likelier(some, low, []) is low
     assert _likelier(some, None, []) is some
+
+
+def _found(rings, nats, drawn=(True,) * 4):
+    energy = SimpleNamespace(total=nats, noise=0.5)
+    view = SimpleNamespace(size=300.0, pen=2.0, all_foreign=400.0)
+    evidence = SimpleNamespace(drawn=np.array(drawn))
+    return SimpleNamespace(rings=rings, energy=energy, compared=SimpleNamespace(view=view), evidence=evidence)
+
+
+def test_the_gap_is_to_the_next_object_and_to_none(monkeypatch):
+    monkeypatch.setattr(search, "_priced", lambda found: found)
+    box = Rings((SQUARE,), (SQUARE + DEPTH,))
+    best, same, other = (
+        _found(box, 100.0),
+        _found(box.swapped(), 101.0),
+        _found(Rings((SQUARE,), (SQUARE - 80,)), 130.0),
+    )
+    assert _gap(best, [best, same]) == 300.0
+    assert _gap(best, [best, same, other]) == 30.0
+    assert _gap(best, [_found(Rings((SQUARE,), (SQUARE - 80,)), 90.0)]) == -10.0
+
+
+def test_a_face_with_nothing_behind_it_is_no_object():
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH, "removed")))
+    box = find(observed(group))
+    assert _told(box, [box]).confidence > TRUSTED
+    seen = box.evidence.drawn.copy()
+    for k in np.flatnonzero(seen)[:-1]:
+        seen[k] = False
+    face = replace(box, evidence=replace(box.evidence, drawn=seen))
+    assert _told(face, [face]).confidence < REFUSE_BELOW

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from round_sketches import PYRAMID, drawn, polyline
-from sketches import ink_of
+from sketches import ink_of, line, outline
 
 from sketch2shape.strokes import thin, trace_skeleton
 from sketch2shape.sweeps import centres, pyramids
@@ -59,3 +59,20 @@ def widest_angle(ring):
     before, after = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
     u, v = (side / np.linalg.norm(side, axis=1)[:, None] for side in (before, after))
     return float(np.arccos(np.clip((u * v).sum(axis=1), -1, 1)).max())
+
+
+def test_a_base_in_front_is_seen_whole_though_edges_lie_behind_it():
+    base = np.array([[300.0, 90], [400, 150], [380, 290], [280, 230]])
+    apex = np.array([120.0, 120])
+    picture = outline(base)
+    for corner in base[[0, 3]]:
+        line(picture, apex, corner)
+    line(picture, apex, base[2])  # three edges are seen, the fourth is hidden
+    skeleton = thin(ink_of(picture))
+    size = float(np.hypot(*np.ptp(skeleton.points, axis=0)))
+    strokes = trace_skeleton(skeleton, 1.5)
+    near = [s for s in pyramids([strokes], centres(strokes, size), skeleton, size) if s.is_near]
+    off = [np.linalg.norm(s.rings[0].vertices[:, None] - base, axis=2).min(axis=1).max() for s in near]
+    apart = [np.hypot(*(s.way.centre - apex)) for s in near]
+    sides = [len(s.rings[0].vertices) for s in near]
+    assert any(o < 4 and a < 4 and n == 4 for o, a, n in zip(off, apart, sides, strict=True))

@@ -1,0 +1,59 @@
+"""A closer look: taken where fine lines are not read for sure, and believed where it is surer."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from sketches import SQUARE, ink_of, prism, same_object
+
+from sketch2shape.model import TRUSTED
+from sketch2shape.search import as_object, closer, find_closely
+
+BOX = ink_of(prism(SQUARE, SQUARE + [40, -30.0], width=1))
+TEE = np.array([[0, 0], [6, 0], [6, 12], [30, 12], [30, 18], [6, 18], [6, 30], [0, 30.0]]) * 10 + [80, 60]
+
+
+@pytest.fixture
+def looks(monkeypatch):
+    """Confidences at the first and at a closer look, and how often there was a look."""
+
+    def given(ink, first, second):
+        seen = []
+
+        def find_all(ink):
+            seen.append(ink)
+            sure = first if len(seen) == 1 else second
+            return [] if sure is None else [SimpleNamespace(confidence=sure)]
+
+        monkeypatch.setattr(closer, "find_all", find_all)
+        found, own = find_closely(ink)
+        assert own is seen[0] or own is seen[1]
+        return [f.confidence for f in found], len(seen), own is not ink
+
+    return given
+
+
+def test_a_sure_answer_is_not_looked_at_again(looks):
+    assert looks(BOX, TRUSTED, 1.0) == ([TRUSTED], 1, False)
+
+
+@pytest.mark.parametrize("first", [None, 0.1, 0.7])
+def test_a_surer_answer_of_a_closer_look_is_believed(looks, first):
+    assert looks(BOX, first, 0.95) == ([0.95], 2, True)
+
+
+@pytest.mark.parametrize(("first", "second"), [(0.6, 0.65), (0.1, 0.4), (0.5, None), (0.8, 0.3)])
+def test_another_answer_that_is_no_surer_is_not(looks, first, second):
+    assert looks(BOX, first, second) == ([first], 2, False)
+
+
+def test_thick_lines_need_no_closer_look(looks):
+    thick = ink_of(prism(SQUARE, SQUARE + [40, -30.0], width=9))
+    assert looks(thick, 0.3, 0.95) == ([0.3], 1, False)
+
+
+def test_a_plate_of_four_pixels_is_read():
+    found, ink = find_closely(ink_of(prism(TEE, TEE + [4.0, -4.0], width=1)))
+    (best,) = found
+    assert best.confidence > TRUSTED
+    assert same_object(as_object(best.rings, best.evidence, ink), TEE, TEE + [4.0, -4.0], 1.0)
