@@ -27,6 +27,7 @@ from sketch2shape.search.search import (
     _likeliest,
     _search,
     _told,
+    find,
 )
 
 search = import_module("sketch2shape.search.search")
