@@ -3,8 +3,9 @@
     python scripts/fit_confidence.py                        fit, report both halves, write evidence/weights.py
     python scripts/fit_confidence.py --sets fresh --check   the weights that are there, on drawings made anew
 
-A logistic regression of right and wrong on the witnesses (`sketch2shape.evidence.witness`). The even half of each set
-is fitted; the odd half only tells how well that holds.
+A logistic regression of right and wrong on the witnesses (`sketch2shape.evidence.witness`), and one on how sure that
+makes an answer by itself and how close a rival comes. The even half of each set is fitted; the odd half only tells how
+well that holds.
 """
 
 from __future__ import annotations
@@ -22,20 +23,25 @@ from repository import ROOT
 
 from evaluation import curves, meshes, metrics
 from evaluation.cases import Case, collect
-from evaluation.logistic import AGAINST, FREE, Answer, fitted, module_text, promise
+from evaluation.logistic import AGAINST, FOR, FREE, Answer, fitted, module_text, promise
 from evaluation.measure import in_processes
 from evaluation.options import add_drawings, add_sets, add_work, wanted
 from sketch2shape.errors import Sketch2ShapeError
 from sketch2shape.evidence import WITNESSES, Weights, confidence
-from sketch2shape.evidence.calibration import terms
+from sketch2shape.evidence.calibration import probability, standardised, terms
+from sketch2shape.evidence.rivals import AGAINST_RIVALS, beside
+from sketch2shape.model import Floats
 
-WEIGHTS = ROOT / "sketch2shape" / "evidence" / "weights.py"
+EVIDENCE = ROOT / "sketch2shape" / "evidence"
+WEIGHTS, RIVAL_WEIGHTS = EVIDENCE / "weights.py", EVIDENCE / "rival_weights.py"
 SETS = ("fresh", "hard", "real", "real2", "refuse", "abc")
 EITHER = {"vertices", "shallow", "small"}
 """Witnesses that may speak for an answer; all others can only speak against it, whatever the drawings happen to say."""
 TERMS = ("whole", *WITNESSES)
 BOUNDS = (FREE, *(FREE if name in EITHER else AGAINST for name in WITNESSES))
 ABOUT = "Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."
+BESIDE = ("alone", "rival")
+ABOUT_RIVALS = "Weights of a rival, written by `scripts/fit_confidence.py`; see `rivals`."
 
 
 def main() -> None:
@@ -47,16 +53,30 @@ def main() -> None:
     for case, some in zip(cases, given, strict=True):
         sets[case.set] += [] if isinstance(some, Exception) else some
     every = [a for some in sets.values() for a in some]
-    weights = Weights()
+    weights, rivals = Weights(), AGAINST_RIVALS
     if not args.check:
-        weights = fitted([a for a in every if a.half == "even"], terms, BOUNDS)
-        args.output.write_text(module_text(ABOUT, weights, WITNESSES, TERMS))
-        print(f"wrote {args.output}")
-    print(promise(sets | {"all": every}, lambda witnesses: confidence(witnesses, weights)))
+        even = [a for a in every if a.half == "even"]
+        weights = fitted([a._replace(witnesses=a.witnesses[:-1]) for a in even], terms, BOUNDS)
+        beside_rivals = [a._replace(witnesses=_beside(a, weights)) for a in even]
+        rivals = fitted(beside_rivals, standardised, (FOR, AGAINST))
+        for path, text in (
+            (WEIGHTS, module_text(ABOUT, weights, WITNESSES, TERMS)),
+            (RIVAL_WEIGHTS, module_text(ABOUT_RIVALS, rivals, BESIDE, BESIDE)),
+        ):
+            path.write_text(text)
+            print(f"wrote {path}")
+    told = {name: [a._replace(witnesses=_beside(a, weights)) for a in some] for name, some in sets.items()}
+    told["all"] = [a for some in told.values() for a in some]
+    print(promise(told, lambda seen: probability(standardised(seen, rivals), rivals)))
+
+
+def _beside(answer: Answer, weights: Weights) -> Floats:
+    """What is weighed of an answer whose last witness is its rival."""
+    return beside(confidence(answer.witnesses[:-1], weights), float(answer.witnesses[-1]))
 
 
 def _answers(case: Case) -> list[Answer]:
-    """Every hypothesis found in a drawing, refused ones too."""
+    """Every hypothesis found in a drawing, refused ones too; how close its rival comes is the last of its witnesses."""
     from sketch2shape.ink import find_ink
     from sketch2shape.reading import read_picture
     from sketch2shape.search import Found, as_object, find_closely
@@ -66,8 +86,11 @@ def _answers(case: Case) -> list[Answer]:
     except Sketch2ShapeError:
         return []
     found, ink = find_closely(ink)
-    given = ((f.witnesses, as_object(f.rings, f.evidence, ink)) for f in found if isinstance(f, Found))
-    return [Answer(seen, _is_right(case, obj), case.half) for seen, obj in given if seen is not None]
+    straight = [f for f in found if isinstance(f, Found) and f.witnesses is not None]
+    return [
+        Answer(np.append(f.witnesses, f.rival), _is_right(case, as_object(f.rings, f.evidence, ink)), case.half)
+        for f in straight
+    ]
 
 
 def _is_right(case: Case, obj: Any) -> bool:
@@ -88,7 +111,6 @@ def _arguments() -> argparse.Namespace:
     add_sets(parser, SETS)
     add_drawings(parser, seed=31, per_category=2)
     add_work(parser, seconds=60)
-    parser.add_argument("--output", type=Path, default=WEIGHTS, metavar="FILE", help="where the weights are written")
     parser.add_argument("--check", action="store_true", help="leave the weights as they are")
     return parser.parse_args()
 

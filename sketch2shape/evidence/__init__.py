@@ -7,6 +7,7 @@ from sketch2shape.evidence.detectors_agree import vouched
 from sketch2shape.evidence.energy import LEAST_DRAWN, Comparison, Energy, compare, nearest_edges, with_hidden
 from sketch2shape.evidence.exact import exactly_drawn
 from sketch2shape.evidence.redrawing import compare_sweep
+from sketch2shape.evidence.rivals import against_rivals, rivalry
 from sketch2shape.evidence.score import PERFECT, Evidence, is_dashed, judge, judge_all, judge_stack, most_possible
 from sketch2shape.evidence.sheet import Sheet, sheet_for
 from sketch2shape.evidence.sweep_calibration import sweep_confidence
@@ -28,6 +29,7 @@ __all__ = [
     "Sheet",
     "View",
     "Weights",
+    "against_rivals",
     "compare",
     "compare_sweep",
     "confidence",
@@ -39,6 +41,7 @@ __all__ = [
     "most_possible",
     "nearest_edges",
     "observe",
+    "rivalry",
     "sheet_for",
     "sweep_confidence",
     "sweep_witnesses",

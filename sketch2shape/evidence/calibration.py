@@ -30,7 +30,6 @@ WHOLE = {
 }
 """Witnesses against an answer that explains all ink: values up to which nothing speaks against it, and from which much
 does. Where nothing does, however thick the pen or careless the hand, such answers are right."""
-RIVAL = WITNESSES.index("rival")
 
 
 class Weights(NamedTuple):
@@ -52,17 +51,12 @@ def standardised(witnesses: Floats, weights: Weights) -> Floats:
 
 
 def terms(witnesses: Floats, weights: Weights) -> Floats:
-    """(..., w + 1) what is weighed: how far an answer explains all; witnesses (..., w), less so the more it does.
-
-    Another object may explain all too, so a rival always counts in full.
-    """
+    """(..., w + 1) what is weighed: how far an answer explains all; witnesses (..., w), less so the more it does."""
     whole = np.ones(witnesses.shape[:-1])
     for name, (none, much) in WHOLE.items():
         whole = whole * np.clip((much - witnesses[..., WITNESSES.index(name)]) / (much - none), 0.0, 1.0)
-    off = standardised(witnesses, weights)
-    weighed = off * (1.0 - whole[..., None])
-    weighed[..., RIVAL] = off[..., RIVAL]
-    return np.concatenate([whole[..., None], weighed], axis=-1)
+    whole = whole[..., None]
+    return np.concatenate([whole, standardised(witnesses, weights) * (1.0 - whole)], axis=-1)
 
 
 def confidence(witnesses: Floats, weights: Weights | None = None) -> float:

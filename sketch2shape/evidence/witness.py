@@ -31,7 +31,6 @@ WITNESSES = (
     "small",
     "doubled",
     "map",
-    "rival",
 )
 """Names of the witnesses, in order."""
 TOUCHING = 0.03
@@ -48,17 +47,12 @@ BESIDE = 0.35
 """Pens between two edges drawn along each other."""
 BLUR, PEN_BOW = 0.5, 0.1
 """Pixels, and pens more, by which the ink of a straight edge may seem to bow."""
-RIVAL = 0.2
-"""Price of the next best hypothesis above the best, over that of all ink, at which it says a third as much."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 
 
-def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence, gap: float = np.inf) -> Floats:
-    """(w,) float, see `WITNESSES`.
-
-    gap : nats to the next best hypothesis that is another object, or none
-    """
+def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence) -> Floats:
+    """(w,) float, see `WITNESSES`."""
     view = compared.view
     v, edges = rings.vertices, frame(rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
@@ -86,7 +80,6 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
             np.log(size / view.pen),
             doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
             energy.shape / energy.vertex / m,
-            np.exp(-max(gap, 0.0) / (RIVAL * view.all_foreign + 1e-9)),
         ]
     )
 

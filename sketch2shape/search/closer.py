@@ -2,32 +2,40 @@
 
 from __future__ import annotations
 
-from sketch2shape.evidence import EVEN_ODDS
+from sketch2shape.evidence import WITNESSES
 from sketch2shape.ink import enlarged
 from sketch2shape.model import TRUSTED, Ink
-from sketch2shape.search.objects import AnyFound, find_all
+from sketch2shape.search.found_sweep import FoundSweep
+from sketch2shape.search.objects import LIKELY, AnyFound, find_all
+from sketch2shape.search.search import Found
+from sketch2shape.search.sweeping import SLIGHT
 
 FINE = 3.5
 """Width of a pen, pixels, up to which lines may lie too close for the pixels there are."""
 MOST_PIXELS = 500_000
 """Pixels of the frame of the ink up to which a drawing is enlarged."""
-SURER = 0.1
-"""Confidence by which a closer look has to be surer to be believed."""
 
 
 def find_closely(ink: Ink) -> tuple[list[AnyFound], Ink]:
     """The best hypothesis for every group of ink that has one, and the ink in whose pixels it is.
 
-    Fine lines are enlarged if they are not read for sure, and read surer so.
+    Fine lines are enlarged if no reading of them is likely; what they show then has to be sure, and all there is.
     """
     found = find_all(ink)
     best = max((f.confidence for f in found), default=0.0)
-    if best >= TRUSTED or not _is_fine(ink):
+    if best >= LIKELY or not _is_fine(ink):
         return found, ink
     closer = enlarged(ink)
     again = find_all(closer)
-    surest = max((f.confidence for f in again), default=0.0)
-    return (again, closer) if surest >= max(EVEN_ODDS, best + SURER) else (found, ink)
+    return (again, closer) if any(f.confidence >= TRUSTED and _is_all(f) for f in again) else (found, ink)
+
+
+def _is_all(found: AnyFound) -> bool:
+    """Whether it leaves hardly any ink."""
+    if isinstance(found, FoundSweep):
+        return found.unexplained <= SLIGHT
+    told = found.witnesses if isinstance(found, Found) else None
+    return told is None or float(told[WITNESSES.index("unexplained")]) <= SLIGHT
 
 
 def _is_fine(ink: Ink) -> bool:

@@ -13,7 +13,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from sketch2shape.evidence import WITNESSES, Evidence, confidence, exactly_drawn
+from sketch2shape.evidence import WITNESSES, Evidence, against_rivals, confidence, exactly_drawn
 from sketch2shape.hypotheses import Rings, coincide, ruled_caps, ruled_graph
 from sketch2shape.model import Floats, Ink
 from sketch2shape.search.attempts import wire_hypotheses
@@ -84,7 +84,7 @@ def _verified(hypotheses: Iterator[Rings], lines: RuledLines) -> Iterator[Verifi
     for rings in islice(hypotheses, MOST_TRIED):
         told = exactly_drawn(rings, lines.pieces, lines.dashed)
         if told is not None:
-            yield Verified(rings, *told, confidence(np.zeros(len(WITNESSES))))
+            yield Verified(rings, *told, against_rivals(confidence(np.zeros(len(WITNESSES))), 0.0))
 
 
 def _only(found: list[Verified]) -> Verified | None:

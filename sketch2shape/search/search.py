@@ -23,10 +23,12 @@ from sketch2shape.evidence import (
     Evidence,
     Sheet,
     View,
+    against_rivals,
     compare,
     confidence,
     is_dashed,
     judge,
+    rivalry,
     with_hidden,
     witnesses,
 )
@@ -81,13 +83,17 @@ class Found(Verified):
     sheet     : what it was compared with, as strictly as its lines allow
     compared  : held against the drawing
     energy    : what it and the drawing under it cost
-    witnesses : what speaks for and against it
+    witnesses : what speaks for and against it by itself
+    alone     : 0..1, how sure that alone makes it
+    rival     : 0..1, how close another comes
     """
 
     sheet: Sheet = field(kw_only=True)
     compared: Comparison | None = None
     energy: Energy | None = None
     witnesses: Floats | None = None
+    alone: float = 0.0
+    rival: float = 0.0
 
 
 def find(seen: Observed) -> Found | None:
@@ -99,17 +105,17 @@ def find(seen: Observed) -> Found | None:
     tried, found = list[Attempt](), list[Found]()
     for look in (attempts, second_attempts):
         _search(_noted(look(looks), tried), seen.view, found)
-        best = _told(_best(found), found)
+        best = _told(_best(found))
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
     else:
         _search(climbed_attempts(looks, tried), seen.view, found)
-        best = _likelier(best, _told(_best(found), found), found)
+        best = _likelier(best, _told(_best(found)), found)
     if best is not None and best.confidence >= TRUSTED and not _leaves_nothing(best):
         _search(grown_attempts(looks, (best.rings, best.evidence)), seen.view, found)
-        other = _told(_best(found), found)
+        other = _told(_best(found))
         best = other if other is not None and _is_cheaper(other, best) else best
-    return best and _with_hidden(best)
+    return best and _with_hidden(_against(best, found))
 
 
 def _is_cheaper(other: Found, best: Found) -> bool:
@@ -127,7 +133,7 @@ def _likelier(known: Found | None, best: Found | None, found: list[Found]) -> Fo
 def _likeliest(best: Found, found: list[Found]) -> Found:
     """Of hypotheses that cost hardly more than the best, the one that the witnesses speak for most."""
     most = _total(best) + WITNESSED * LOG_ODDS
-    rivals = [told for f in _priced(found) if _total(f) < most and (told := _told(f, found)) is not None]
+    rivals = [told for f in _priced(found) if _total(f) < most and (told := _told(f)) is not None]
     other = min(rivals, key=_doubted, default=best)
     return other if _doubted(other) < _doubted(best) - TIE else best
 
@@ -154,16 +160,28 @@ def _noted(tries: Iterable[Attempt], tried: list[Attempt]) -> Iterator[Attempt]:
         yield attempt
 
 
-def _told(best: Found | None, found: list[Found]) -> Found | None:
-    """The answer with what speaks for and against it among all that were found, and how sure that makes it."""
+def _told(best: Found | None) -> Found | None:
+    """The answer with what speaks for and against it by itself, and how sure that makes it.
+
+    How far to search is decided by that: the longer a search goes on, the more rivals it finds.
+    """
     if best is None or best.energy is None or best.compared is None:
         return None
-    told = witnesses(best.rings, best.energy, best.compared, best.evidence, _gap(best, found))
+    told = witnesses(best.rings, best.energy, best.compared, best.evidence)
     sure = confidence(told)
     # a face alone, or doubtful and an edge that nobody has drawn
     is_face = np.count_nonzero(best.evidence.drawn) < LEAST_DRAWN
     is_none = is_face or (sure < EVEN_ODDS and best.evidence.weakest < BARE)
     return replace(best, witnesses=told, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
+
+
+def _against(best: Found, found: list[Found]) -> Found:
+    """The answer, and how sure it is beside all others that were found; they make it doubtful, but not none."""
+    if best.compared is None:
+        return best
+    rival = rivalry(_gap(best, found), best.compared.view.all_foreign)
+    sure = max(against_rivals(best.confidence, rival), min(best.confidence, REFUSE_BELOW))
+    return replace(best, alone=best.confidence, rival=rival, confidence=sure)
 
 
 def _gap(best: Found, found: list[Found]) -> float:

@@ -15,13 +15,13 @@ from sketch2shape.strokes.skeleton import thin
 BOX = Rings((SQUARE,), (SQUARE + DEPTH,))
 
 
-def seen_in(picture, rings=BOX, hand=0.5, gap=np.inf):
+def seen_in(picture, rings=BOX, hand=0.5):
     (group,) = split_groups(ink_of(picture))
     view = observe(group, thin(group.ink))
     evidence = judge(rings, sheet_of(picture))
     own = rings.shifted(-group.offset)
     compared = compare(own, view, evidence.drawn, 4.0)
-    found = witnesses(own, compared.energy(hand), compared, evidence, gap)
+    found = witnesses(own, compared.energy(hand), compared, evidence)
     return dict(zip(WITNESSES, found, strict=True))
 
 
@@ -112,9 +112,3 @@ def test_an_arc_bows_in_both_faces_and_a_hand_in_one():
     hand = seen_in(bowed_box((0, 1)), hand=6.0)["bend"]
     arc = seen_in(bowed_box((0, 1), (4, 5)), hand=6.0)["bend"]
     assert hand < 0.02 < 0.04 < arc
-
-
-def test_a_rival_speaks_the_louder_the_closer_it_comes():
-    loud = [seen_in(prism(SQUARE, SQUARE + DEPTH), gap=gap)["rival"] for gap in (-5.0, 0.0, 20.0, 200.0, np.inf)]
-    assert loud[0] == loud[1] == 1.0
-    assert loud[1] > loud[2] > loud[3] > loud[4] == 0.0

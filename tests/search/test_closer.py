@@ -8,6 +8,7 @@ from sketches import SQUARE, ink_of, prism, same_object
 
 from sketch2shape.model import TRUSTED
 from sketch2shape.search import as_object, closer, find_closely
+from sketch2shape.search.objects import LIKELY
 
 BOX = ink_of(prism(SQUARE, SQUARE + [40, -30.0], width=1))
 TEE = np.array([[0, 0], [6, 0], [6, 12], [30, 12], [30, 18], [6, 18], [6, 30], [0, 30.0]]) * 10 + [80, 60]
@@ -33,18 +34,23 @@ def looks(monkeypatch):
     return given
 
 
-def test_a_sure_answer_is_not_looked_at_again(looks):
-    assert looks(BOX, TRUSTED, 1.0) == ([TRUSTED], 1, False)
+def test_a_likely_answer_is_not_looked_at_again(looks):
+    assert looks(BOX, LIKELY, 1.0) == ([LIKELY], 1, False)
 
 
-@pytest.mark.parametrize("first", [None, 0.1, 0.7])
-def test_a_surer_answer_of_a_closer_look_is_believed(looks, first):
+@pytest.mark.parametrize("first", [None, 0.1, 0.6])
+def test_a_sure_answer_of_a_closer_look_is_believed(looks, first):
     assert looks(BOX, first, 0.95) == ([0.95], 2, True)
 
 
-@pytest.mark.parametrize(("first", "second"), [(0.6, 0.65), (0.1, 0.4), (0.5, None), (0.8, 0.3)])
-def test_another_answer_that_is_no_surer_is_not(looks, first, second):
+@pytest.mark.parametrize(("first", "second"), [(0.6, 0.85), (0.1, 0.4), (0.5, None)])
+def test_another_answer_that_is_not_sure_is_not(looks, first, second):
     assert looks(BOX, first, second) == ([first], 2, False)
+
+
+def test_nor_is_one_that_leaves_ink(looks, monkeypatch):
+    monkeypatch.setattr(closer, "_is_all", lambda _: False)
+    assert looks(BOX, 0.3, 0.95) == ([0.3], 2, False)
 
 
 def test_thick_lines_need_no_closer_look(looks):

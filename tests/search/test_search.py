@@ -12,6 +12,7 @@ from sketches import DEPTH, HEXAGON, L_SHAPE, SQUARE, ink_of, outline, paper, pr
 from sketch2shape.evidence import REFUSE_BELOW
 from sketch2shape.geometry.homology import apply
 from sketch2shape.hypotheses import Rings
+from sketch2shape.hypotheses.hypothesis import split
 from sketch2shape.ink import split_groups
 from sketch2shape.model import TRUSTED
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
@@ -21,6 +22,7 @@ from sketch2shape.search.search import (
     LOG_ODDS,
     TIE,
     WITNESSED,
+    _against,
     _doubted,
     _gap,
     _likelier,
@@ -162,7 +164,7 @@ def _priced_at(nats, confidence):
 
 def test_what_witnesses_speak_for_may_cost_a_little_more_and_no_tie_is_broken(monkeypatch):
     monkeypatch.setattr(search, "_priced", lambda found: found)
-    monkeypatch.setattr(search, "_told", lambda found, every: found if found in every else None)
+    monkeypatch.setattr(search, "_told", lambda found: found)
     best = _priced_at(100.0, 0.2)
     # log odds of 1.4 for it and 1.4 against the best one are worth 28 nats
     likely, dear, alike = _priced_at(120.0, 0.8), _priced_at(126.0, 0.8), _priced_at(100.0, 0.25)
@@ -243,9 +245,22 @@ def test_the_gap_is_to_the_next_object_and_to_none(monkeypatch):
 def test_a_face_with_nothing_behind_it_is_no_object():
     (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH, "removed")))
     box = find(observed(group))
-    assert _told(box, [box]).confidence > TRUSTED
+    assert _told(box).confidence > TRUSTED
     seen = box.evidence.drawn.copy()
     for k in np.flatnonzero(seen)[:-1]:
         seen[k] = False
     face = replace(box, evidence=replace(box.evidence, drawn=seen))
-    assert _told(face, [face]).confidence < REFUSE_BELOW
+    assert _told(face).confidence < REFUSE_BELOW
+
+
+def test_rivals_make_an_answer_doubtful_but_not_none(monkeypatch):
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
+    box = find(observed(group))
+    monkeypatch.setattr(search, "_priced", lambda found: found)
+    other = replace(box, rings=split(box.rings.vertices + 60.0, (4,)))
+    plain = replace(box, confidence=0.96)
+    assert _against(plain, [box]).confidence > TRUSTED
+    assert REFUSE_BELOW <= _against(plain, [box, other]).confidence < TRUSTED
+    assert _against(replace(box, confidence=0.25), [box, other]).confidence >= REFUSE_BELOW
+    assert _against(replace(box, confidence=0.05), [box, other]).confidence < REFUSE_BELOW
+    assert _against(plain, [box, other]).alone == 0.96
