@@ -109,6 +109,8 @@ MECHANISMS = (
         "textures and scribbles given up",
         _in("search.observed", _is_no_drawing=_NO) | _in("search.search", _is_scribble=_NO),
     ),
+    Mechanism("fine lines enlarged", _in("search.closer", FINE=0.0)),
+    Mechanism("loose ends drawn on", _in("search.tolerances", without_loose_ends=_first)),
     Mechanism("stale searches end", _in("search.search", STALE=np.inf)),
     Mechanism("hidden vertices where dashes meet", _in("search.search", _at_dashes=_first_two)),
     Mechanism("a vertex caught by wrong ink put right", _in("search.search", _put_right=_first_two)),
@@ -140,6 +142,8 @@ MECHANISMS = (
     Mechanism("long foreign strokes are cheaper", _in("evidence.view", STROKE_UNIT=HUGE)),
     Mechanism("strokes across others are told once", _in("evidence.view", MOST_LINKED=0)),
     Mechanism("specks are cheap", _in("evidence.view", SPECK=1.0, DASH=1.0)),
+    Mechanism("rivals make answers doubtful", _in("search.search", rivalry=_always(0.0))),
+    Mechanism("faces alone are no objects", _in("search.search", LEAST_DRAWN=0)),
     # sources of straight objects
     Mechanism("back faces pulled to drawn rungs", _in("hypotheses.opaque", _pulled=_as_swept)),
     Mechanism("cut tips of regions sharpened", _in("hypotheses.opaque", sharpened=_first)),
@@ -156,6 +160,7 @@ MECHANISMS = (
     Mechanism(
         "textures are not put together", _in("sweeps.joined", MOST_SHARED=HUGE) | _in("sweeps.spans", MOST_LINES=HUGE)
     ),
+    Mechanism("pyramids beside sure prisms", _in("search.objects", ATTACHED=np.inf)),
     Mechanism("bare figures are no answers", _in("search.objects", LACKING=np.inf)),
     Mechanism("sweeps: wireframes", _in("search.sweep_pairs", _coherent=_NONE)),
     Mechanism("sweeps: loops moved", _in("search.sweep_pairs", _moved=_NONE)),
@@ -195,6 +200,7 @@ MECHANISMS = (
     # sources of objects with arcs and points
     Mechanism("sweeps seen from the other side", _in("sweeps.sweep.Sweep", reversed=_first)),
     Mechanism("silhouettes are sure to be seen only whole", _in("sweeps.sweep", _doubtful=_first)),
+    Mechanism("bases in front of hidden edges", _in("sweeps.pyramids", _closed=_NONE)),
     Mechanism("regular bases half hidden", _in("sweeps.pyramids", _regular_bases=_NONE)),
     Mechanism("feet of a pyramid by themselves", _in("sweeps.pyramids", _feet=_first)),
 )
