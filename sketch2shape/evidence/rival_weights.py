@@ -1,15 +1,15 @@
 """Weights of a rival, written by `scripts/fit_confidence.py`; see `rivals`."""
 
 CENTRE = (
-    0.0,  # alone
-    0.0,  # rival
+    0.9282,  # alone
+    0.376,  # rival
 )
 SPREAD = (
-    1.0,  # alone
-    1.0,  # rival
+    3.5199,  # alone
+    0.382,  # rival
 )
 WEIGHT = (
-    0.95,  # alone
-    -3.51,  # rival
+    2.5582,  # alone
+    -1.4117,  # rival
 )
-BIAS = 1.66
+BIAS = 1.3878

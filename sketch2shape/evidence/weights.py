@@ -1,52 +1,52 @@
 """Weights of the witnesses, written by `scripts/fit_confidence.py`; see `calibration`."""
 
 CENTRE = (
-    0.1081,  # unexplained
-    0.0625,  # attached
-    0.0194,  # closed
-    0.436,  # loose
-    0.0993,  # weakest
-    0.4248,  # noise
-    1.6348,  # vertices
-    0.1262,  # unseen
-    0.0193,  # bend
-    0.0694,  # flat
-    3.2884,  # shallow
-    5.0293,  # small
-    0.0631,  # doubled
-    1.32,  # map
+    0.1143,  # unexplained
+    0.063,  # attached
+    0.0214,  # closed
+    0.4531,  # loose
+    0.0968,  # weakest
+    0.4319,  # noise
+    1.6295,  # vertices
+    0.1291,  # unseen
+    0.0078,  # bend
+    0.0716,  # flat
+    3.2592,  # shallow
+    5.0296,  # small
+    0.0623,  # doubled
+    1.3182,  # map
 )
 SPREAD = (
-    0.1791,  # unexplained
-    0.1076,  # attached
-    0.0693,  # closed
-    0.8721,  # loose
-    0.2007,  # weakest
-    0.6992,  # noise
-    0.3677,  # vertices
-    0.206,  # unseen
-    0.0485,  # bend
-    0.2542,  # flat
-    0.8842,  # shallow
-    0.6471,  # small
-    0.1775,  # doubled
-    0.2243,  # map
+    0.1905,  # unexplained
+    0.1095,  # attached
+    0.0735,  # closed
+    0.9009,  # loose
+    0.2032,  # weakest
+    0.7051,  # noise
+    0.3724,  # vertices
+    0.2086,  # unseen
+    0.0224,  # bend
+    0.2578,  # flat
+    0.8845,  # shallow
+    0.6479,  # small
+    0.1738,  # doubled
+    0.2228,  # map
 )
 WEIGHT = (
-    2.2886,  # whole
-    -0.0222,  # unexplained
-    -0.4804,  # attached
-    -0.5309,  # closed
-    -1.1746,  # loose
-    -0.293,  # weakest
-    -0.2885,  # noise
-    -0.4548,  # vertices
-    0.0,  # unseen
-    -0.9617,  # bend
+    2.0782,  # whole
+    0.0,  # unexplained
+    -0.7126,  # attached
+    -0.51,  # closed
+    -1.2294,  # loose
+    -0.5082,  # weakest
+    -0.5593,  # noise
+    -0.141,  # vertices
+    -0.1805,  # unseen
+    -0.7453,  # bend
     0.0,  # flat
-    0.4564,  # shallow
-    0.8066,  # small
-    -0.8124,  # doubled
-    -0.7999,  # map
+    0.868,  # shallow
+    1.1756,  # small
+    -0.713,  # doubled
+    -0.7826,  # map
 )
-BIAS = 0.941
+BIAS = 0.8902
