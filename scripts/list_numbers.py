@@ -19,7 +19,7 @@ from evaluation.markdown import part_replaced, table
 
 PAGE = ROOT / "docs" / "heart.md"
 ROOMS = ("search", "evidence", "hypotheses", "fit", "sweeps")
-FITTED = ("weights", "sweep_weights")
+FITTED = ("weights", "rival_weights", "sweep_weights")
 """Modules of numbers that a fit has written."""
 PLAIN = (0, 1, 2, 0.5)
 """Numbers that need no name: ends of ranges, halves and pairs."""

@@ -32,7 +32,7 @@ from evaluation.markdown import table
 PACKAGE = "sketch2shape"
 ROOMS = ("evidence", "hypotheses", "search")
 """Rooms that decide."""
-PASSED_OVER = ("__init__", "weights", "sweep_weights")
+PASSED_OVER = ("__init__", "weights", "rival_weights", "sweep_weights")
 """Modules without decisions: names, and numbers that a fit has written."""
 COPIED = (PACKAGE, "tests", "pyproject.toml")
 """What the copy has of its own; all else is linked."""
