@@ -11,8 +11,8 @@ from sketch2shape.search.search import Found
 from sketch2shape.search.sweeping import SLIGHT
 
 FINE = 2.5
-"""Width of a pen, working pixels, up to which lines may lie too close for the pixels there are; small pictures are larger
-by then. With 3.5 CAD wireframes take twice as long, and no more of them are read."""
+"""Width of a pen, working pixels, up to which lines may lie too close for the pixels there are. With 3.5 wireframes of
+CAD programs take twice as long, and no more of them are read."""
 MOST_PIXELS = 500_000
 """Pixels of the frame of the ink up to which a drawing is enlarged."""
 
