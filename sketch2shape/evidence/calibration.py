@@ -15,7 +15,7 @@ from sketch2shape.evidence.witness import WITNESSES
 from sketch2shape.model import Floats
 
 REFUSE_BELOW = 0.19
-"""Confidence below which an answer is no answer: of sixteen between 0.14 and this none was right."""
+"""Confidence below which an answer is none; when it was chosen, none of sixteen between 0.14 and this was right."""
 EVEN_ODDS = 0.5
 """Confidence below which an answer is likelier wrong than right."""
 FARTHEST = 4.0

@@ -35,6 +35,6 @@ def beside(alone: float, rival: float) -> Floats:
     return np.array([np.clip(odds, -MOST_ODDS, MOST_ODDS), rival])
 
 
-def against_rivals(alone: float, rival: float, weights: Weights = AGAINST_RIVALS) -> float:
-    """Probability 0..1 that an answer is right which has this confidence by itself."""
-    return probability(standardised(beside(alone, rival), weights), weights)
+def against_rivals(alone: float, rival: float) -> float:
+    """Probability 0..1 that an answer is right which has this confidence by itself, and a rival so close, 0..1 both."""
+    return probability(standardised(beside(alone, rival), AGAINST_RIVALS), AGAINST_RIVALS)

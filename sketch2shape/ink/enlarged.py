@@ -21,7 +21,7 @@ DARK = 128
 
 
 def enlarged(ink: Ink) -> Ink:
-    """The ink of a picture, `TIMES` as large."""
+    """The ink (h, w) of a picture in `TIMES` as many rows and columns; places in the picture stay what they were."""
     beside = cv2.dilate(np.ascontiguousarray(ink.mask).view(np.uint8), np.ones((3, 3), np.uint8))
     strength = as_gray(cv2.multiply(ink.strength, beside))
     h, w = strength.shape

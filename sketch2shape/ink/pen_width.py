@@ -5,6 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from sketch2shape.ink.depth import depth_of
 from sketch2shape.model import Bools
 
 FINE = 2.5
@@ -17,11 +18,11 @@ def pen_width_of(mask: Bools) -> float:
     x, y, w, h = cv2.boundingRect(ink)
     if not w:
         return 1.0
-    padded = cv2.copyMakeBorder(ink[y : y + h, x : x + w], 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
-    distance = cv2.distanceTransform(padded, cv2.DIST_L2, cv2.DIST_MASK_5)
-    peak = cv2.dilate(distance, np.ones((3, 3), np.uint8))
-    where = np.flatnonzero(np.asarray(padded, np.uint8).view(np.bool_))
-    inside = distance.ravel().take(where)
+    own = ink[y : y + h, x : x + w].view(np.bool_)
+    depth = depth_of(own)
+    peak = cv2.dilate(depth, np.ones((3, 3), np.uint8))
+    where = np.flatnonzero(own)
+    inside = depth.ravel().take(where)
     ridge = inside[inside >= peak.ravel().take(where)]
     return max(1.0, 2.0 * float(np.median(ridge)) - 0.7)
 

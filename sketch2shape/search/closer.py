@@ -1,4 +1,4 @@
-"""A closer look: fine lines that were not read for sure, in more pixels."""
+"""A closer look: fine lines of which no reading is likely, in more pixels."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from sketch2shape.search.search import Found
 from sketch2shape.search.sweeping import SLIGHT
 
 FINE = 2.5
-"""Width of a pen, working pixels, up to which lines may lie too close for the pixels there are. With 3.5 wireframes of
-CAD programs take twice as long, and no more of them are read."""
+"""Width of a pen, working pixels, up to which lines may lie too close for the pixels there are. With 3.5 four more of
+1550 drawings were read, and wireframes of CAD programs took twice as long."""
 MOST_PIXELS = 500_000
 """Pixels of the frame of the ink up to which a drawing is enlarged."""
 

@@ -115,16 +115,23 @@ class Traced:
     skeleton: Skeleton
     tolerance: float
 
-    @cached_property
+    @property
     def strokes(self) -> Strokes:
         """The straight strokes of all ink that is neither letters nor dashes."""
-        strokes = trace_skeleton(self.skeleton, self.tolerance, self.group.solid)
-        return without_loose_ends(strokes, join_ends(strokes, self.skeleton.pen_width), self.skeleton)
+        return self._joined[0]
 
-    @cached_property
+    @property
     def corners(self) -> Corners:
         """Where strokes end, meet or turn."""
-        return join_ends(self.strokes, self.skeleton.pen_width)
+        return self._joined[1]
+
+    @cached_property
+    def _joined(self) -> tuple[Strokes, Corners]:
+        pen = self.skeleton.pen_width
+        traced = trace_skeleton(self.skeleton, self.tolerance, self.group.solid)
+        corners = join_ends(traced, pen)
+        strokes = without_loose_ends(traced, corners, self.skeleton)
+        return strokes, corners if strokes is traced else join_ends(strokes, pen)
 
     @cached_property
     def wobble(self) -> float:
