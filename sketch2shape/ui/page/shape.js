@@ -29,12 +29,24 @@ export function newObject(f1, f2) {
   return { f1, f2, holes: [], arcs: [], projection: "auto", reading: 1, sizes: { width: "", height: "", depth: "" }, unit: "mm" };
 }
 
-/* objects as found, with what was wished for those at the same places before */
-export function withWishes(found, before) {
+/* objects as found, with what was wished for those at the same places before; ways: how many readings each has. A reading is
+   taken over only by an object with its vertices where they were, since it counts what these may be of */
+export function withWishes(found, before, ways = []) {
   return found.map((o, k) => {
-    const { projection, sizes, unit } = before[k] || newObject();
-    return { ...newObject(o.f1, o.f2), holes: o.holes, arcs: o.arcs || [], ...mannerOf(o), projection, sizes, unit };
+    const was = before[k], { projection, sizes, unit } = was || newObject();
+    const reading = was && was.reading <= ways[k] && isStill(o, was) ? was.reading : 1;
+    return { ...newObject(o.f1, o.f2), holes: o.holes, arcs: o.arcs || [], ...mannerOf(o), projection, reading, sizes, unit };
   });
+}
+
+/* share of a drawing's diagonal that a vertex may be found off its place */
+const OFF = 0.05;
+/* has the object the rings of the other, whichever vertex these begin with? */
+function isStill(o, was) {
+  const [now, before] = [o, was].map(of => rings(of).flatMap(r => [r.f1, r.f2])), all = before.flat();
+  const [w, h] = [0, 1].map(k => Math.max(...all.map(p => p[k])) - Math.min(...all.map(p => p[k]))), most = OFF * Math.hypot(w, h);
+  const stays = (ring, other) => ring.length === other.length && ring.every(p => other.some(q => Math.hypot(p[0] - q[0], p[1] - q[1]) <= most));
+  return now.length === before.length && now.every((ring, k) => stays(ring, before[k]));
 }
 
 /* the vertex moved to a point; its partner on the other face along with it if `together` */

@@ -74,11 +74,12 @@ function nothingYet(strokes) {
 async function showLive(answered, isNewest) {
   if (!drawing()) return;
   const { state } = work, { problem } = answered;
-  const objects = shape.withWishes(answered.objects, state.objects.length ? state.objects : wished), some = objects.length > 0;
+  const before = state.objects.length ? state.objects : wished, ways = answered.facts.map(f => f.readings);
+  const objects = shape.withWishes(answered.objects, before, ways), some = objects.length > 0;
   amend({ ...state, objects, guess: problem && some ? problem.error : "", sure: some ? Math.min(...answered.objects.map(o => o.confidence)) : null });
   work.left = problem?.left || [];
   const first = work.answer === NO_SOLID || !work.answer.facts.length;
-  const wishes = objects.some(o => o.projection !== "auto" || NAMES.some(n => o.sizes[n]));
+  const wishes = objects.some(o => o.projection !== "auto" || o.reading > 1 || NAMES.some(n => o.sizes[n]));
   work.families = answered.facts.map(f => f.projection);
   const solids = wishes && some ? await server.lift(correctionsNow()) : answered;
   if (!isNewest()) return;

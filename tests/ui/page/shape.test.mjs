@@ -53,11 +53,17 @@ test("what is no corrections file is refused as a whole", () => {
   }
 });
 
-test("wishes stay with the object at their place, a reading does not", () => {
+test("wishes stay with the object at their place, a reading only with the same solid", () => {
   const before = [{ ...newObject(F1, F2), projection: "oblique", unit: "cm", reading: 3 }];
-  const [o] = withWishes([{ f1: F2, f2: F1, holes: [], lines: "wire" }], before);
+  const [o] = withWishes([{ f1: F2, f2: F1, holes: [], lines: "wire" }], before, [4]);
   assert.deepEqual([o.projection, o.unit, o.reading], ["oblique", "cm", 1]);
   assert.deepEqual(shifted({ objects: [o], loose: [{ x: 1, y: 2, face: 0 }] }, 10, 20).loose, [{ x: 11, y: 22, face: 0 }]);
+  const again = { f1: F1.map(([x, y]) => [x + 2, y - 1]), f2: F2, holes: [] }, reading = (found, ways) => withWishes([found], before, ways)[0].reading;
+  assert.equal(reading(again, [4]), 3);
+  assert.equal(reading({ ...again, f1: [...F1.slice(1), F1[0]] }, [4]), 3, "the ring begins elsewhere");
+  assert.equal(reading(again, [2]), 1, "there are only two");
+  assert.equal(reading({ ...again, f1: F1.map(([x, y], k) => [x + (k ? 0 : 40), y]) }, [4]), 1, "a corner is elsewhere");
+  assert.equal(reading({ ...again, holes: [{ f1: F1, f2: F2 }] }, [4]), 1, "it has a hole");
 });
 
 const SLOT = () => {
