@@ -94,6 +94,8 @@ MECHANISMS = (
     Mechanism("second look: walks", _in("search.attempts", walked=_NONE)),
     Mechanism("second look: unions of regions", _in("search.attempts", united=_NONE)),
     Mechanism("third look: neighbours", _in("search.search", climbed_attempts=_NONE)),
+    Mechanism("climbing by the energy", _in("search.search", climb=_NONE)),
+    Mechanism("close vertices exchanged", _in("search.climbing", _exchanged=_NONE)),
     Mechanism("hidden vertices on the plainest map", _in("search.search", with_hidden=_first)),
     Mechanism("tips ahead of where strokes run into one", _in("hypotheses.opaque", _with_tips=_first_two)),
     Mechanism("edges cut off by the border", _in("search.objects", closed_at_border=_always(None))),
@@ -112,11 +114,11 @@ MECHANISMS = (
     Mechanism("fine lines enlarged", _in("search.closer", FINE=0.0)),
     Mechanism("loose ends drawn on", _in("search.tolerances", without_loose_ends=_first)),
     Mechanism("stale searches end", _in("search.search", STALE=np.inf)),
-    Mechanism("hidden vertices where dashes meet", _in("search.search", _at_dashes=_first_two)),
-    Mechanism("a vertex caught by wrong ink put right", _in("search.search", _put_right=_first_two)),
-    Mechanism("dashes told by thin ink", _in("search.search", is_dashed=_NO)),
-    Mechanism("a tie goes to the first", _in("search.search", TIE=0.0)),
-    Mechanism("one hand", _in("search.search", _hand=_always(np.inf))),
+    Mechanism("hidden vertices where dashes meet", _in("search.search", at_dashes=_first_two)),
+    Mechanism("a vertex caught by wrong ink put right", _in("search.refining", _put_right=_first_two)),
+    Mechanism("dashes told by thin ink", _in("search.refining", is_dashed=_NO)),
+    Mechanism("a tie goes to the first", _in("search.found", TIE=0.0)),
+    Mechanism("one hand", _in("search.found", hand_of=_always(np.inf))),
     Mechanism("a plain answer limits vertices", _in("search.search", _is_plainest=_NO)),
     Mechanism("an exact answer ends a round", _in("search.search", _is_exact=_NO)),
     Mechanism("a plain answer ends a source", _in("search.shortlist", _is_plain=_NO)),
@@ -125,9 +127,9 @@ MECHANISMS = (
     Mechanism("shallow objects are none", _in("search.shortlist", SHALLOWEST=0.0)),
     # moving to the ink
     Mechanism(
-        "refinement", _in("search.search", refine=_only_measured) | _in("fit.simplification", refine=_only_measured)
+        "refinement", _in("search.refining", refine=_only_measured) | _in("fit.simplification", refine=_only_measured)
     ),
-    Mechanism("simplification", _in("search.search", simplified=_first_two)),
+    Mechanism("simplification", _in("search.refining", simplified=_first_two)),
     Mechanism("simplification: settled ways", _in("fit.simplification", MOST_SETTLED=0)),
     Mechanism("simplification: unseen bends", _in("fit.simplification", UNSEEN_BEND=0.0)),
     Mechanism("simplification: marks at corners", _in("fit.simplification", MARK=0.0)),

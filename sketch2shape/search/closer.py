@@ -5,9 +5,9 @@ from __future__ import annotations
 from sketch2shape.evidence import WITNESSES
 from sketch2shape.ink import enlarged
 from sketch2shape.model import TRUSTED, Ink
+from sketch2shape.search.found import Found
 from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.search.objects import LIKELY, AnyFound, find_all
-from sketch2shape.search.search import Found
 from sketch2shape.search.sweeping import SLIGHT
 
 FINE = 2.5

@@ -14,9 +14,9 @@ from sketch2shape.evidence import nearest_edges
 from sketch2shape.hypotheses import Rings, frame, split
 from sketch2shape.lifting import OTHER_PAIRS
 from sketch2shape.model import Floats
+from sketch2shape.search.found import Found
 from sketch2shape.search.found_sweep import FoundSweep, priced
 from sketch2shape.search.observed import Observed
-from sketch2shape.search.search import Found
 from sketch2shape.search.sweep_improvement import finished, with_holes
 from sketch2shape.search.sweep_pairs import Scene
 from sketch2shape.strokes import Skeleton

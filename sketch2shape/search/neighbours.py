@@ -49,7 +49,7 @@ _Neighbours: TypeAlias = Callable[[Rings, Evidence, Floats, Sheet], Iterator[Sta
 def climbed(known: list[Judged], sheet: Sheet, corners: Floats) -> list[Judged]:
     """Better hypotheses than the best few of those known; corners (k, 2): where vertices may be, pixels."""
     simple = [start for start in known if max(start[0].sizes) <= MOST_VERTICES]
-    tops = [_climbed(start, sheet, corners, _neighbours) for start in simple[:STARTS]]
+    tops = [_climbed(start, sheet, corners, neighbours) for start in simple[:STARTS]]
     return sorted((top for top in tops if top is not None), key=_worth, reverse=True)
 
 
@@ -59,11 +59,11 @@ def grown(best: Judged, sheet: Sheet, corners: Floats) -> list[Judged]:
     return [] if top is None else [top]
 
 
-def _climbed(best: Judged, sheet: Sheet, corners: Floats, neighbours: _Neighbours) -> Judged | None:
+def _climbed(best: Judged, sheet: Sheet, corners: Floats, kinds: _Neighbours) -> Judged | None:
     """The top of the climb from a hypothesis, if there is one; faces with holes stay as they are."""
     found = None
     for _ in range(MOST_CLIMBED if len(best[0].sizes) == 1 and len(corners) else 0):
-        above = [_best_of(moves, sheet, _worth(best)) for moves in neighbours(*best, corners, sheet)]
+        above = [_best_of(moves, sheet, _worth(best)) for moves in kinds(*best, corners, sheet)]
         higher = [judged for judged in above if judged is not None]
         if not higher:
             break
@@ -90,7 +90,7 @@ def _best_of(moves: Stack, sheet: Sheet, worth: float) -> Judged | None:
     return (split(some.vertices[k], some.sizes), judged[k]) if judged[k].score >= least else None
 
 
-def _neighbours(rings: Rings, evidence: Evidence, corners: Floats, sheet: Sheet) -> Iterator[Stack]:
+def neighbours(rings: Rings, evidence: Evidence, corners: Floats, sheet: Sheet) -> Iterator[Stack]:
     """Hypotheses with a vertex elsewhere, one less, or one more."""
     front, back = rings.front[0], rings.back[0]
     n = len(front)

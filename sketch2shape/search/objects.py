@@ -14,9 +14,10 @@ from sketch2shape.ink import Group, closed_at_border, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.drilled import find_drilled
 from sketch2shape.search.exact import Verified, find_exact
+from sketch2shape.search.found import Found
 from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.search.observed import Observed, observed
-from sketch2shape.search.search import Found, find
+from sketch2shape.search.search import find
 from sketch2shape.search.sweeping import SLIGHT, find_pyramid, find_sweep
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_PATH

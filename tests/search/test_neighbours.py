@@ -6,7 +6,7 @@ from sketches import DEPTH, L_SHAPE, SQUARE, line, prism, sheet_of
 
 from sketch2shape.evidence import judge
 from sketch2shape.hypotheses.hypothesis import Rings
-from sketch2shape.search.neighbours import LARGEST, MOST_VERTICES, _completed, _neighbours, climbed, grown
+from sketch2shape.search.neighbours import LARGEST, MOST_VERTICES, _completed, climbed, grown, neighbours
 
 CORNERS = np.concatenate([SQUARE, SQUARE + DEPTH, [[200.0, 200]]])
 REMOVED = sheet_of(prism(SQUARE, SQUARE + DEPTH, "removed"), reach=3.0)
@@ -60,7 +60,7 @@ def test_tops_come_best_first_and_faces_with_holes_are_left_alone():
 
 def test_neighbours_differ_by_one_vertex_of_the_front():
     box = Rings((SQUARE,), (SQUARE + DEPTH,))
-    elsewhere, fewer, more = _neighbours(box, judge(box, REMOVED), CORNERS, REMOVED)
+    elsewhere, fewer, more = neighbours(box, judge(box, REMOVED), CORNERS, REMOVED)
     front = elsewhere.vertices[:, :4]
     assert ((front != SQUARE).any(axis=2).sum(axis=1) <= 1).all()
     assert fewer.sizes == (3,)
@@ -68,7 +68,7 @@ def test_neighbours_differ_by_one_vertex_of_the_front():
     assert more.sizes == (5,)
     ring = np.concatenate([L_SHAPE, L_SHAPE * 0.5, L_SHAPE * 0.25])[:MOST_VERTICES]
     full = Rings((ring,), (ring + DEPTH,))
-    assert [s.sizes for s in _neighbours(full, judge(full, REMOVED), CORNERS, REMOVED)] == [(12,), (11,)]
+    assert [s.sizes for s in neighbours(full, judge(full, REMOVED), CORNERS, REMOVED)] == [(12,), (11,)]
 
 
 def test_a_chamfer_is_found_and_a_vertex_on_an_edge_is_none():

@@ -16,11 +16,11 @@ from sketch2shape.hypotheses.hypothesis import split
 from sketch2shape.ink import split_groups
 from sketch2shape.model import TRUSTED
 from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
+from sketch2shape.search.found import TIE
 from sketch2shape.search.observed import observed
 from sketch2shape.search.search import (
     DENSE,
     LOG_ODDS,
-    TIE,
     WITNESSED,
     _against,
     _doubted,
@@ -163,7 +163,7 @@ def _priced_at(nats, confidence):
 
 
 def test_what_witnesses_speak_for_may_cost_a_little_more_and_no_tie_is_broken(monkeypatch):
-    monkeypatch.setattr(search, "_priced", lambda found: found)
+    monkeypatch.setattr(search, "priced", lambda found: found)
     monkeypatch.setattr(search, "_told", lambda found: found)
     best = _priced_at(100.0, 0.2)
     # log odds of 1.4 for it and 1.4 against the best one are worth 28 nats
@@ -190,7 +190,7 @@ def _counted(monkeypatch, name):
 
 
 def test_of_a_plain_wireframe_one_hypothesis_is_moved_to_the_ink(monkeypatch):
-    refined = _counted(monkeypatch, "_refined")
+    refined = _counted(monkeypatch, "refined")
     assert same_object(found_in(prism(HEXAGON, HEXAGON + [110, -20]))[0], HEXAGON, HEXAGON + [110, -20])
     assert len(refined) == 1
 
@@ -230,7 +230,7 @@ def _found(rings, nats, drawn=(True,) * 4):
 
 
 def test_the_gap_is_to_the_next_object_and_to_none(monkeypatch):
-    monkeypatch.setattr(search, "_priced", lambda found: found)
+    monkeypatch.setattr(search, "priced", lambda found: found)
     box = Rings((SQUARE,), (SQUARE + DEPTH,))
     best, same, other = (
         _found(box, 100.0),
@@ -256,7 +256,7 @@ def test_a_face_with_nothing_behind_it_is_no_object():
 def test_rivals_make_an_answer_doubtful_but_not_none(monkeypatch):
     (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
     box = find(observed(group))
-    monkeypatch.setattr(search, "_priced", lambda found: found)
+    monkeypatch.setattr(search, "priced", lambda found: found)
     other = replace(box, rings=split(box.rings.vertices + 60.0, (4,)))
     plain = replace(box, confidence=0.96)
     assert _against(plain, [box]).confidence > TRUSTED
