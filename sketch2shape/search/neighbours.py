@@ -19,8 +19,6 @@ from sketch2shape.hypotheses import Rings, Stack, split, stack, which_plausible
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.search.shortlist import Judged
 
-STARTS = 3
-"""Hypotheses from which the search climbs."""
 MOST_CLIMBED = 6
 """Steps of a climb."""
 FARTHEST = 0.2
@@ -47,10 +45,10 @@ _Neighbours: TypeAlias = Callable[[Rings, Evidence, Floats, Sheet], Iterator[Sta
 
 
 def climbed(known: list[Judged], sheet: Sheet, corners: Floats) -> list[Judged]:
-    """Better hypotheses than the best few of those known; corners (k, 2): where vertices may be, pixels."""
-    simple = [start for start in known if max(start[0].sizes) <= MOST_VERTICES]
-    tops = [_climbed(start, sheet, corners, neighbours) for start in simple[:STARTS]]
-    return sorted((top for top in tops if top is not None), key=_worth, reverse=True)
+    """A better hypothesis than the best one known, if there is one; corners (k, 2): where vertices may be, pixels."""
+    start = next((judged for judged in known if max(judged[0].sizes) <= MOST_VERTICES), None)
+    top = None if start is None else _climbed(start, sheet, corners, neighbours)
+    return [] if top is None else [top]
 
 
 def grown(best: Judged, sheet: Sheet, corners: Floats) -> list[Judged]:

@@ -111,8 +111,7 @@ def _find_other(seen: Observed, straight: Found | None, *, some_bowed: bool) -> 
     below = np.inf if straight is None or straight.energy is None else straight.energy.total
     doubted = straight is None or straight.confidence < TRUSTED or _may_have_narrow_holes(straight)
     if doubted or some_bowed:
-        hopeless = straight is None or straight.confidence < REFUSE_BELOW
-        return find_sweep(seen, arcs=some_bowed or hopeless, below=below)
+        return find_sweep(seen, arcs=some_bowed, below=below)
     return find_pyramid(seen, below) if straight is not None and _may_be_pointed(straight) else None
 
 

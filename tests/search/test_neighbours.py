@@ -48,14 +48,16 @@ def test_what_is_best_already_has_nothing_above_it():
     assert climb(Rings((SQUARE,), (SQUARE + DEPTH,))) == []
 
 
-def test_tops_come_best_first_and_faces_with_holes_are_left_alone():
+def test_the_best_is_climbed_from_and_faces_with_holes_are_left_alone():
     near, far = moved(SQUARE, 1, [-40.0, 25]), moved(moved(SQUARE, 1, [-40.0, 25]), 3, [30.0, -60])
-    starts = [Rings((f,), (f + DEPTH,)) for f in (far, near)]
-    tops = climbed([(r, judge(r, REMOVED)) for r in starts], REMOVED, CORNERS)
-    assert [evidence.score for _, evidence in tops] == sorted((e.score for _, e in tops), reverse=True)
+    starts = [Rings((f,), (f + DEPTH,)) for f in (near, far)]
+    judged = [(r, judge(r, REMOVED)) for r in starts]
+    (top,) = climbed(judged, REMOVED, CORNERS)
+    assert top[0].sizes == climbed(judged[:1], REMOVED, CORNERS)[0][0].sizes
+    assert climbed([], REMOVED, CORNERS) == []
     hole = 0.5 * SQUARE + 0.5 * SQUARE.mean(axis=0)
     assert climb(Rings((near, hole), (near + DEPTH, hole + DEPTH))) == []
-    assert climb(starts[1], corners=np.zeros((0, 2))) == []
+    assert climb(starts[0], corners=np.zeros((0, 2))) == []
 
 
 def test_neighbours_differ_by_one_vertex_of_the_front():
