@@ -113,7 +113,7 @@ def _climbed(top: Found, ground: _Ground) -> Iterator[Found]:
 
 def _step(top: Found, ground: _Ground) -> Found | None:
     """The cheapest neighbour that is clearly cheaper."""
-    every = (_upright(top, rings, judged, ground) for rings, judged in _likely(top, ground))
+    every = (_on_ink(top, rings, judged, ground) for rings, judged in _likely(top, ground))
     cheaper = [other for other in every if total(other) < total(top) - _least_gain(top, other)]
     return min(cheaper, key=total, default=None)
 
@@ -124,7 +124,7 @@ def _least_gain(top: Found, other: Found) -> float:
     return top.energy.vertex if is_more and top.energy is not None else TIE
 
 
-def _upright(top: Found, rings: Rings, evidence: Evidence, ground: _Ground) -> Found:
+def _on_ink(top: Found, rings: Rings, evidence: Evidence, ground: _Ground) -> Found:
     """The neighbour moved to the ink and priced; one whose edges fold back costs all.
 
     The hand stays as it was: it does not grow steadier as hypotheses explain more.
