@@ -117,8 +117,13 @@ MECHANISMS = (
     Mechanism("hidden vertices where dashes meet", _in("search.search", at_dashes=_first_two)),
     Mechanism("a vertex caught by wrong ink put right", _in("search.refining", _put_right=_first_two)),
     Mechanism("dashes told by thin ink", _in("search.refining", is_dashed=_NO)),
-    Mechanism("a tie goes to the first", _in("search.found", TIE=0.0)),
-    Mechanism("one hand", _in("search.found", hand_of=_always(np.inf))),
+    Mechanism(
+        "a tie goes to the first",
+        _in("search.found", TIE=0.0) | _in("search.search", TIE=0.0) | _in("search.climbing", TIE=0.0),
+    ),
+    Mechanism(
+        "one hand", _in("search.found", hand_of=_always(np.inf)) | _in("search.climbing", hand_of=_always(np.inf))
+    ),
     Mechanism("a plain answer limits vertices", _in("search.search", _is_plainest=_NO)),
     Mechanism("an exact answer ends a round", _in("search.search", _is_exact=_NO)),
     Mechanism("a plain answer ends a source", _in("search.shortlist", _is_plain=_NO)),

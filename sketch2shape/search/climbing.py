@@ -14,17 +14,15 @@ from itertools import chain
 
 import numpy as np
 
-from sketch2shape.evidence import Evidence, View, compare, judge_stack
+from sketch2shape.evidence import Evidence, View, judge_stack
 from sketch2shape.hypotheses import Rings, Stack, split, which_plausible
 from sketch2shape.model import Bools, Floats
 from sketch2shape.search.attempts import Looks
 from sketch2shape.search.found import TIE, Found, hand_of, is_same, priced, total
-from sketch2shape.search.neighbours import neighbours
+from sketch2shape.search.neighbours import GAIN, MOST_CLIMBED, VERTEX, neighbours
 from sketch2shape.search.refining import compared_with, refined
 from sketch2shape.search.tolerances import Traced
 
-STEPS = 6
-"""Steps of a climb at most."""
 PRICED = 3
 """Hypotheses of a step that are priced, of each kind: those drawn best."""
 CORNERED = 4
@@ -37,8 +35,6 @@ MOST_VERTICES = 24
 """Vertices of a face from which no search climbs."""
 WOBBLES = 5.0
 """Standard deviations of the hand that an added edge is long at least: a shorter one is a wobble."""
-SEEN = 0.015
-"""Score that a vertex brings if lines are not straight: there a vertex for each wobble saves ink."""
 FOLDED = 1.0
 """Pixels from the edge before it within which an edge that turns back lies on it."""
 
@@ -64,6 +60,8 @@ class _Ground:
 def climb(found: list[Found], looks: Looks, view: View, starts: int, *, exchanging: bool = False) -> list[Found]:
     """What lies above the cheapest few of the hypotheses found, of each climb all steps.
 
+    looks      : at the drawing; their corners are where a vertex may move to
+    view       : what hypotheses are held against
     starts     : how many of those found are started from
     exchanging : vertices may only be exchanged
     """
@@ -103,7 +101,7 @@ def _climbed(top: Found, ground: _Ground) -> Iterator[Found]:
     """Step after step upwards; faces with holes stay as they are."""
     if len(top.rings.sizes) > 1 or top.rings.sizes[0] > MOST_VERTICES:
         return
-    for _ in range(STEPS):
+    for _ in range(MOST_CLIMBED):
         better = _step(top, ground)
         if better is None:
             return
@@ -125,7 +123,7 @@ def _least_gain(top: Found, other: Found) -> float:
 
 
 def _on_ink(top: Found, rings: Rings, evidence: Evidence, ground: _Ground) -> Found:
-    """The neighbour moved to the ink and priced; one whose edges fold back costs all.
+    """The neighbour moved to the ink and priced; one whose edges fold back has no price.
 
     The hand stays as it was: it does not grow steadier as hypotheses explain more.
     """
@@ -144,7 +142,8 @@ def _likely(top: Found, ground: _Ground) -> Iterator[tuple[Rings, Evidence]]:
             continue
         judged = judge_stack(some, top.sheet)
         order = sorted(range(len(judged)), key=lambda k: -judged[k].score)[:PRICED]
-        if _adds(moves, top) and not ground.steady and judged[order[0]].score < top.evidence.score + SEEN:
+        # where lines are not straight a vertex for each wobble saves ink: it has to be seen in the score too
+        if _adds(moves, top) and not ground.steady and judged[order[0]].score < top.evidence.score + VERTEX + GAIN:
             continue
         costs = [_cost(split(some.vertices[k], some.sizes), judged[k], top, ground) for k in order]
         for k in dict.fromkeys((order[0], order[int(np.argmin(costs))])):
@@ -152,7 +151,9 @@ def _likely(top: Found, ground: _Ground) -> Iterator[tuple[Rings, Evidence]]:
 
 
 def _cost(rings: Rings, evidence: Evidence, top: Found, ground: _Ground) -> float:
-    return compare(rings, ground.view, evidence.drawn, 1.5 * top.sheet.reach).energy(ground.hand).total
+    """Nats, where it is: it has not been moved to the ink."""
+    compared = compared_with(replace(top, rings=rings, evidence=evidence), ground.view).compared
+    return np.inf if compared is None else compared.energy(ground.hand).total
 
 
 def _is_possible(moves: Stack, top: Found, ground: _Ground) -> Bools:

@@ -43,18 +43,21 @@ class Found(Verified):
 
 
 def total(found: Found) -> float:
-    """Nats."""
+    """What it costs, nats; infinity before it is priced."""
     return found.energy.total if found.energy else np.inf
 
 
 def priced(found: list[Found]) -> list[Found]:
-    """What each costs under the noise of one hand."""
+    """Those held against the drawing, with what each costs under the noise of one hand; some are found."""
     hand = hand_of(found)
     return [replace(f, energy=f.compared.energy(hand)) for f in found if f.compared is not None]
 
 
 def hand_of(found: list[Found]) -> float:
-    """Noise of the hand that drew, pixels: the least under which an answer as good as any, or one all drawn, holds."""
+    """Noise of the hand that drew, pixels: the least under which an answer as good as any, or one all drawn, holds.
+
+    Raises ValueError if nothing is found.
+    """
     top = max(f.evidence.score for f in found)
     return min(f.noise for f in found if f.evidence.score >= top - COMPARABLE or _is_all_drawn(f.evidence))
 
@@ -65,7 +68,7 @@ def _is_all_drawn(evidence: Evidence) -> bool:
 
 
 def best_of(found: list[Found]) -> Found | None:
-    """The hypothesis of least energy, all under the noise of one hand."""
+    """The hypothesis of least energy, all under the noise of one hand; None if nothing is found."""
     if not found:
         return None
     best, *others = priced(found)
@@ -83,7 +86,7 @@ def is_same(a: Found | None, b: Found | None) -> bool:
 
 
 def alike(a: Rings, b: Rings, near: float) -> bool:
-    """Whether refinement will make the same of both: the same rings to within the reach of a line."""
+    """Whether refinement will make the same of both: the same outlines, at most near pixels apart."""
     if a.sizes != b.sizes:
         return False
     return coincide(a.front[0], b.front[0], near) and coincide(a.back[0], b.back[0], near)

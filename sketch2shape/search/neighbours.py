@@ -89,7 +89,10 @@ def _best_of(moves: Stack, sheet: Sheet, worth: float) -> Judged | None:
 
 
 def neighbours(rings: Rings, evidence: Evidence, corners: Floats, sheet: Sheet) -> Iterator[Stack]:
-    """Hypotheses with a vertex elsewhere, one less, or one more."""
+    """Hypotheses with a vertex elsewhere, one less, or one more; of faces without holes, one stack for each kind.
+
+    corners : (k, 2) float, pixels, k >= 1: where vertices may be
+    """
     front, back = rings.front[0], rings.back[0]
     n = len(front)
     yield _moved(front, back, evidence.drawn, corners, FARTHEST * sheet.size)

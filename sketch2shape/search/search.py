@@ -56,7 +56,7 @@ STALE = 2
 """Attempts without anything new after which a sound answer holds."""
 STARTS = 2
 """Hypotheses from which a climb by the energy starts where the answer is doubtful."""
-LIKELY = 0.7
+OUTSTANDING = 0.7
 """Confidence, beside all rivals, of an object that only such a climb has found."""
 LEAST_MAP, PLAIN = 2, 1.5
 """Numbers of the plainest plane map, a translation, and more by which a hypothesis may cost and be the plainest."""
@@ -97,7 +97,7 @@ def _above(known: Found | None, looks: Looks, view: View, found: list[Found]) ->
     best = _likelier(known, _told(best_of(found)), found)
     if best is None or (known is not None and known.confidence >= REFUSE_BELOW):
         return best
-    return best if _against(best, found).confidence >= LIKELY else known
+    return best if _against(best, found).confidence >= OUTSTANDING else known
 
 
 def _looked_at_again(best: Found, looks: Looks, view: View, found: list[Found]) -> Found:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, SQUARE, ink_of, prism
 
+from sketch2shape.evidence import judge
 from sketch2shape.hypotheses import Rings
 from sketch2shape.hypotheses.hypothesis import stack
 from sketch2shape.ink import split_groups
@@ -14,11 +15,13 @@ from sketch2shape.search.climbing import (
     FOLDED,
     MOST_VERTICES,
     WOBBLES,
+    _corners,
     _exchanged,
     _fold_back,
     _Ground,
     _is_possible,
     _least_gain,
+    _likely,
     climb,
 )
 from sketch2shape.search.found import TIE, total
@@ -43,9 +46,8 @@ def start_at(seen, front, back, picture):
     (group,) = split_groups(ink_of(picture))
     best = find(seen)
     rings = Rings((front - group.offset,), (back - group.offset,))
-    return compared_with(
-        replace(best, rings=rings, evidence=replace(best.evidence, drawn=np.ones(len(front), bool))), seen.view
-    )
+    evidence = replace(best.evidence, drawn=np.ones(len(front), bool))
+    return compared_with(replace(best, rings=rings, evidence=evidence), seen.view)
 
 
 def top_of(picture, front, back, **how):
@@ -94,12 +96,10 @@ def test_a_small_cut_that_no_tolerant_score_tells_is_found():
 
 
 def test_vertices_taken_for_each_other_are_exchanged_back():
-    picture = prism(TALL, TALL + DOWN)
-    front, back = moved(TALL, 0, 0.0), TALL + DOWN
-    front[1], front[3] = TALL[3], TALL[1]
-    near = np.hypot(*(TALL[1] - TALL[3]))
-    assert [len(s) for s in _exchanged(Rings((front,), (back,)), near + 1)] == [2]
-    assert list(_exchanged(Rings((front,), (back,)), near - 1)) == []
+    rings = Rings((TALL,), (TALL + DOWN,))
+    apart = np.hypot(*(TALL[1] - TALL[3]))
+    assert [len(s) for s in _exchanged(rings, apart + 1)] == [2]
+    assert list(_exchanged(rings, apart - 1)) == []
     close = TALL.copy()
     close[3] = close[1] + [6.0, 30]
     picture = prism(close, close + DOWN)
@@ -142,6 +142,19 @@ def test_an_added_edge_is_longer_than_a_wobble_and_a_vertex_has_to_save_its_pric
     more = replace(best, rings=Rings((long,), (long + DEPTH,)))
     assert _least_gain(best, more) == best.energy.vertex
     assert _least_gain(best, best) == TIE
+
+
+@pytest.mark.parametrize("steady", [True, False])
+def test_where_lines_are_not_straight_a_vertex_has_to_be_seen_in_the_score(steady):
+    picture = prism(CUT, CUT + DEPTH)
+    seen = seen_in(picture)
+    start = start_at(seen, SQUARE, SQUARE + DEPTH, picture)
+    looks = Looks(seen.group, seen.skeleton)
+    # a reach that takes the cut for the corner
+    tolerant = replace(start.sheet, reach=10.0)
+    top = replace(start, sheet=tolerant, evidence=judge(start.rings, tolerant), energy=start.compared.energy(1.0))
+    ground = _Ground(seen.view, looks.rounds[0].traced, _corners(looks, seen.view), 1.0, steady)
+    assert (5 in {rings.sizes[0] for rings, _ in _likely(top, ground)}) == steady
 
 
 def test_an_edge_that_turns_back_on_the_one_before_it_is_told():

@@ -53,7 +53,7 @@ def test_the_best_is_climbed_from_and_faces_with_holes_are_left_alone():
     starts = [Rings((f,), (f + DEPTH,)) for f in (near, far)]
     judged = [(r, judge(r, REMOVED)) for r in starts]
     (top,) = climbed(judged, REMOVED, CORNERS)
-    assert top[0].sizes == climbed(judged[:1], REMOVED, CORNERS)[0][0].sizes
+    assert np.abs(top[0].front[0] - SQUARE).max() < 1
     assert climbed([], REMOVED, CORNERS) == []
     hole = 0.5 * SQUARE + 0.5 * SQUARE.mean(axis=0)
     assert climb(Rings((near, hole), (near + DEPTH, hole + DEPTH))) == []

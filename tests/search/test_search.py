@@ -229,6 +229,23 @@ def _found(rings, nats, drawn=(True,) * 4):
     return SimpleNamespace(rings=rings, energy=energy, compared=SimpleNamespace(view=view), evidence=evidence)
 
 
+def test_an_object_where_none_was_has_to_be_likely_beside_all_rivals(monkeypatch):
+    none, some, climbed, sure = (SimpleNamespace(confidence=c) for c in (0.05, 0.5, 0.6, 0.8))
+    for name in ("_told", "best_of"):
+        monkeypatch.setattr(search, name, lambda found: found)
+    monkeypatch.setattr(search, "climb", lambda *_: [])
+    monkeypatch.setattr(search, "_against", lambda best, _: best)
+    for best, known, answer in (
+        (climbed, none, none),
+        (climbed, None, None),
+        (sure, none, sure),
+        (sure, None, sure),
+        (climbed, some, climbed),
+    ):
+        monkeypatch.setattr(search, "_likelier", lambda *_, best=best: best)
+        assert search._above(known, None, None, []) is answer
+
+
 def test_the_gap_is_to_the_next_object_and_to_none(monkeypatch):
     monkeypatch.setattr(search, "priced", lambda found: found)
     box = Rings((SQUARE,), (SQUARE + DEPTH,))
