@@ -18,7 +18,7 @@ import numpy as np
 from sketch2shape.evidence.overlaps import coincidences
 from sketch2shape.evidence.score import grown
 from sketch2shape.evidence.view import View, foreign_price
-from sketch2shape.evidence.visibility import edge_samples, hidden_depth
+from sketch2shape.evidence.visibility import edge_samples, hidden_depth, in_picture
 from sketch2shape.geometry import homology, map_fits
 from sketch2shape.hypotheses import Rings, split, stack
 from sketch2shape.model import Bools, Floats, Ints, Lines
@@ -46,6 +46,8 @@ LEAST_DRAWN = 2
 """Back vertices that have to be drawn to tell the plane map."""
 STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
+ROUGH, THICK = 4.0, 0.3
+"""The same for thick pens, whose lines bend unnoticed, and that noise over the width of the pen at most."""
 
 
 def near_line(noise: float) -> float:
@@ -132,7 +134,8 @@ class Comparison:
     def energy(self, hand: float) -> Energy:
         """The least energy under a hand whose lines have this noise, pixels."""
         noises = self.view.noises
-        return min((self._under(n) for n in noises[noises <= max(noises[0], STEADY * hand)]), key=lambda e: e.total)
+        most = max(noises[0], STEADY * hand, min(ROUGH * hand, THICK * self.view.pen))
+        return min((self._under(n) for n in noises[noises <= most]), key=lambda e: e.total)
 
     def _under(self, noise: float) -> Energy:
         """What is told once of each noise: hypotheses are priced again whenever another one is found."""
@@ -188,8 +191,9 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     end = np.minimum(place, n - 1 - place) * (lengths / n)[:, None] < GAP * view.pen
     # where an edge dives behind another it may end a little early
     end |= grown(depth[None] >= 1, lengths[None], GAP * view.pen)[0]
-    wanted = np.where(depth == 0, MISSING * each * np.where(end, GAP_PRICE, 1.0), 0.0)
-    hidden = depth == 2
+    shows = True if view.cut is None else in_picture(samples[0], view.cut)
+    wanted = np.where((depth == 0) & shows, MISSING * each * np.where(end, GAP_PRICE, 1.0), 0.0)
+    hidden = (depth == 2) & shows
     every = nearest_to_ink(view, a, span)
     seen = nearest_to_ink(view, a, span, ~hidden) if hidden.any() else every
     m = len(v) // 2

@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 
 from sketch2shape.evidence.sheet import Sheet
-from sketch2shape.evidence.visibility import edge_samples, hidden_depth, hidden_samples
+from sketch2shape.evidence.visibility import edge_samples, hidden_depth, hidden_samples, in_picture
 from sketch2shape.geometry import project
 from sketch2shape.hypotheses import Frame, Rings, Stack, frame, stack
 from sketch2shape.model import Bools, Floats, Ints, Lines
@@ -75,14 +75,24 @@ def most_possible(stacked: Stack, sheet: Sheet) -> Floats:
     start = np.concatenate([around, around, around + m])
     end = np.concatenate([after, around + m, after + m])
     a, span = v[:, start, None], v[:, end] - v[:, start]
-    share = sheet.inked(a + _FIRST * span[:, :, None]).mean(axis=2).reshape(len(v), 3, m)
-    length = np.sqrt(np.einsum("...k,...k", span, span)).reshape(len(v), 3, m)
+    share, seen = _first_look(a + _FIRST * span[:, :, None], sheet)
+    share, seen = share.reshape(len(v), 3, m), seen.reshape(-1, 3, m)
+    length = seen * np.sqrt(np.einsum("...k,...k", span, span)).reshape(len(v), 3, m)
     front = length[:, 0]
     whole = (share[:, 0] * front).sum(axis=1) >= 0.6 * front.sum(axis=1)
     ok = whole & ((share[:, 1] > 0.35).sum(axis=1) >= 2) & (share[:, 2] > 0.35).any(axis=1)
     weakest = np.where(front > NOTABLE * front.max(axis=1, keepdims=True), share[:, 0], 1.0).min(axis=1)
     explained = np.minimum(1.0, SLACK * (share * length).sum(axis=(1, 2)) / sheet.ink)
     return np.asarray(ok * 2 * explained / (1 + explained) * _held_by(weakest + DOUBTFUL))
+
+
+def _first_look(points: Floats, sheet: Sheet) -> tuple[Floats, Floats]:
+    """(b, 3m) part of each edge with ink, of what the picture shows of it, and that as a part of the edge."""
+    inked = sheet.inked(points)
+    if sheet.cut is None:
+        return inked.mean(axis=2), np.ones((1, inked.shape[1]))
+    seen = in_picture(points, sheet.cut).mean(axis=2)
+    return np.where(seen > 0, inked.mean(axis=2) / np.maximum(seen, 1e-9), 1.0), seen
 
 
 def _held_by(weakest: Floats) -> Floats:
@@ -113,11 +123,12 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     v, edges = stacked.vertices, stacked.frame.edges
     span = v[:, edges[:, 1]] - v[:, edges[:, 0]]
     lengths = np.hypot(span[..., 0], span[..., 1])
-    hidden = depth == 2
+    shows = True if sheet.cut is None else in_picture(points, sheet.cut)
+    hidden = (depth == 2) & shows
     behind = _inked_part(near, hidden, lengths)
     style = _line_styles(behind, lengths)
     wire, dashed, removed = style == 0, style == 1, style == 2
-    wanted = wire[:, None, None] | ~grown(depth >= 1, lengths, 5 * sheet.reach)
+    wanted = (wire[:, None, None] | ~grown(depth >= 1, lengths, 5 * sheet.reach)) & shows
     support, weakest = _support(_inked_part(near, wanted, lengths), wanted.all(axis=2), lengths)
     dashes, faintest = _support(behind, hidden.all(axis=2), lengths)
     with_dashes = np.minimum(support, 0.6 * support + 0.4 * np.minimum(1.0, dashes / 0.45))

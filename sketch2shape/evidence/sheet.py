@@ -28,6 +28,7 @@ class Sheet:
     reach    : pixels a drawn line may be away from the predicted one
     pen      : pen width, pixels
     step     : skeleton pixels for each of the points
+    cut      : (2, 2) float, pixels: least and greatest x and y up to which lines are seen (`ink.cut_off`), or None
     """
 
     skeleton: Skeleton
@@ -36,6 +37,7 @@ class Sheet:
     reach: float
     pen: float
     step: float = 1.0
+    cut: Floats | None = None
 
     @cached_property
     def size(self) -> float:
@@ -64,11 +66,11 @@ class Sheet:
         return looked_up(self.near, at).view(np.bool_).reshape(points.shape[:-1])
 
 
-def skeleton_sheet(skeleton: Skeleton, weights: Floats, reach: float) -> Sheet:
+def skeleton_sheet(skeleton: Skeleton, weights: Floats, reach: float, cut: Floats | None = None) -> Sheet:
     """A sheet with at most MOST_POINTS of the skeleton's points, which have these weights (k,)."""
     some = thinned(len(weights), MOST_POINTS)
     step = len(weights) / max(len(some), 1)
-    return Sheet(skeleton, skeleton.points[some], weights[some], reach, skeleton.pen_width, step)
+    return Sheet(skeleton, skeleton.points[some], weights[some], reach, skeleton.pen_width, step, cut)
 
 
 def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
@@ -79,4 +81,4 @@ def sheet_for(group: Group, skeleton: Skeleton, reach: float) -> Sheet:
     at = np.rint(skeleton.points).astype(np.intp)
     weights = np.where(group.solid[at[:, 1], at[:, 0]], 1.0, 0.2)
     weights[skeleton.slack(skeleton.points) > 0] = 0.0
-    return skeleton_sheet(skeleton, weights, reach + 0.5)
+    return skeleton_sheet(skeleton, weights, reach + 0.5, group.cut)

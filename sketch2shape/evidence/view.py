@@ -55,6 +55,7 @@ class View:
     slack    : (k,) float, pixels by which a line may run beside each, within a blot
     pen      : stroke width, pixels
     size     : diagonal of the ink, pixels
+    cut      : see `Sheet`
     """
 
     skeleton: Skeleton
@@ -64,6 +65,7 @@ class View:
     slack: Floats
     pen: float
     size: float
+    cut: Floats | None = None
 
     @property
     def unit(self) -> float:
@@ -141,7 +143,8 @@ def observe(group: Group, skeleton: Skeleton) -> View:
     if small.any():
         length[small] *= np.where(np.array([_is_straight(p) for p in paths])[owner[small]], DASH, SPECK)
     size = float(np.linalg.norm(np.ptp(skeleton.points, axis=0))) if len(skeleton.points) else 1.0
-    return View(skeleton, points.astype(float), owner, length, skeleton.slack(points), skeleton.pen_width, size)
+    slack = skeleton.slack(points)
+    return View(skeleton, points.astype(float), owner, length, slack, skeleton.pen_width, size, group.cut)
 
 
 def _is_straight(path: NDArray[Any]) -> bool:

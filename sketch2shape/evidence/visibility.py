@@ -81,6 +81,11 @@ def hidden_depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.ui
     return depth
 
 
+def in_picture(points: Floats, cut: Floats) -> Bools:
+    """Whether points (..., 2) lie where lines are seen; cut (2, 2): least and greatest x and y, pixels."""
+    return np.asarray(((points >= cut[0]) & (points <= cut[1])).all(axis=-1))
+
+
 def looked_up(raster: NDArray[np.uint8], at: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Values of the raster at points (r, c, 2), (r, c); 0 outside."""
     # the second map may be None, whatever OpenCV's type hints say

@@ -4,6 +4,6 @@ from __future__ import annotations
 
 from sketch2shape.fit.polishing import polished
 from sketch2shape.fit.refinement import EXACT, on_map, refine
-from sketch2shape.fit.simplification import simplified
+from sketch2shape.fit.simplification import FLAT, simplified, turns
 
-__all__ = ["EXACT", "on_map", "polished", "refine", "simplified"]
+__all__ = ["EXACT", "FLAT", "on_map", "polished", "refine", "simplified", "turns"]

@@ -93,8 +93,8 @@ def _simpler(rings: Rings, short: float, drawn: Bools, pen: float) -> list[_Way]
         start += n
         if n <= 3:
             continue
-        turns = _turns(front) + _turns(back)
-        for i in np.argsort(turns, kind="stable")[: np.count_nonzero(turns < 2 * FLAT)]:
+        bends = turns(front) + turns(back)
+        for i in np.argsort(bends, kind="stable")[: np.count_nonzero(bends < 2 * FLAT)]:
             fewer = _replaced(rings, k, np.delete(front, i, axis=0), np.delete(back, i, axis=0))
             ways.append(_Way(fewer, np.delete(drawn, here[i]), is_unseen_bend=not drawn[here[i]]))
         lengths = np.maximum(_edge_lengths(front), _edge_lengths(back))
@@ -115,7 +115,7 @@ def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:
     )
 
 
-def _turns(ring: Floats) -> Floats:
+def turns(ring: Floats) -> Floats:
     """(n,) float, by how much a ring turns at each vertex, radians."""
     after = np.roll(ring, -1, axis=0) - ring
     u, v = np.roll(after, 1, axis=0), after

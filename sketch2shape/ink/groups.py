@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.ink.components import Pieces, connected_pieces
+from sketch2shape.ink.cropped import cut_off
 from sketch2shape.ink.drawn_lines import drawn
 from sketch2shape.model import Bools, Floats, Ink, Ints, VectorLine
 
@@ -39,6 +40,7 @@ class Group:
     solid  : (h, w) bool, ink of pieces too large to be letters or dashes
     size   : diagonal of the group's bounding box, pixels
     pieces : how many connected pieces the ink is in
+    cut    : see `cut_off`, in pixels of the group
     """
 
     ink: Ink
@@ -46,6 +48,7 @@ class Group:
     solid: Bools
     size: float
     pieces: int
+    cut: Floats | None = None
 
 
 def split_groups(ink: Ink, most: int = 12) -> list[Group]:
@@ -64,7 +67,9 @@ def split_groups(ink: Ink, most: int = 12) -> list[Group]:
     largest = max(size.values())
     names = sorted((g for g in size if size[g] >= max(SMALLEST * largest, 12.0)), key=lambda g: -size[g])
     corner = np.array([left - MARGIN, top - MARGIN], float)
-    return [_cut(part, corner, pieces, owner == g, boxes[g]) for g in names[:most]]
+    groups = [_cut(part, corner, pieces, owner == g, boxes[g]) for g in names[:most]]
+    cut = cut_off(ink)
+    return groups if cut is None else [replace(group, cut=cut - group.offset) for group in groups]
 
 
 def _meet(pieces: Pieces, pen: float) -> bool:

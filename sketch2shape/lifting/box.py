@@ -13,10 +13,14 @@ import numpy as np
 
 from sketch2shape.lifting.face_relation import relate_faces
 from sketch2shape.lifting.projection import Drawing
+from sketch2shape.lifting.usual_views import SEEN_SLANTS
 from sketch2shape.model import Floats
 
 #: faces whose sizes differ by more than this are not equally far
 _SMALLER = 0.05
+
+#: a side of a box that is seen from nearer its edge, degrees, does not tell how the box is held
+_EDGEWISE = float(np.rad2deg(SEEN_SLANTS[-1]))
 
 #: edges drawn steeper than this, degrees, are upright
 _PLUMB = 80.0
@@ -27,10 +31,25 @@ def standing_pairs(drawing: Drawing) -> list[int]:
 
     Only matters for a prism that is no box. It rests on the ground, so what joins its faces is upright or level;
     drawn, a level edge is less steep than one that rises, hence the faces joined by the steepest edges are not meant.
+    Of a box whose sides are seen from their edge by that, any pair may be meant.
     """
     a, b, d = _directions(drawing)
-    rise = np.rad2deg([np.arctan2(abs(e[1]), abs(e[0])) for e in (d, a, b)])
-    return [0] if rise[0] > _PLUMB or rise[0] < rise.max() else [1, 2]
+    joined = ((d, a, b), (b, a, d), (a, b, d))  # each pair: along what its sides are joined, and their own edges
+    rise = [_rise(way) for way, _, _ in joined]
+    usual = [0] if rise[0] > _PLUMB or rise[0] < max(rise) else [1, 2]
+    return [0, 1, 2] if any(_box_slant(*joined[k]) > _EDGEWISE for k in usual) else usual
+
+
+def _rise(way: Floats) -> float:
+    """How steep a (2,) direction is drawn, degrees."""
+    return float(np.rad2deg(np.arctan2(abs(way[1]), abs(way[0]))))
+
+
+def _box_slant(d: Floats, a: Floats, b: Floats) -> float:
+    """Slant of a box's side with edges along a and b, joined to the opposite one along d, degrees; 0 if it is none."""
+    along, across = float((a @ d) * (b @ d)), float((d[0] * a[1] - d[1] * a[0]) * (d[0] * b[1] - d[1] * b[0]))
+    square = -along / across if across else 0.0
+    return float(np.rad2deg(np.arccos(np.sqrt(square)))) if 0.0 < square < 1.0 else 0.0
 
 
 def lean(face: Floats) -> float:

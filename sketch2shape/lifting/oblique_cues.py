@@ -51,8 +51,12 @@ def usual_odds(toward: Floats, wobble: float) -> float:
     return math.log(odds)
 
 
-def level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:
-    """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew."""
+def level_odds(relations: Relations, angle: Floats, spread: Floats, toward: Floats, wobble: float) -> float:
+    """Faces in their true shape usually have edges drawn level, or nearly so on a page held askew.
+
+    Where anything is drawn plumb, the page is not. The arguments are those of `steep_cost`, but for `angle` of each
+    edge direction in the picture.
+    """
     if not len(angle):
         return 0.0
     off: Floats = between(angle, np.zeros(1))
@@ -62,5 +66,7 @@ def level_odds(relations: Relations, angle: Floats, spread: Floats) -> float:
     if relations.rows.shape[1] == 3 and not upright:
         belief = 0.6  # a triangle often stands on its tip
     exact = log_odds(off, np.hypot(spread, np.deg2rad(0.5)), belief, np.pi / 2)
+    if upright or abs(toward[0]) < math.sin(3.0 * wobble + math.radians(1.0)):
+        return float(exact.max())
     askew = log_odds(off, np.hypot(spread, np.deg2rad(4.0)), belief, np.pi / 2)
     return float(max(exact.max(), askew.max() - _ASKEW))

@@ -176,7 +176,7 @@ def read_parallel(
     turned = bearings(relations, found, noise)
     turned = _on_axes(view, turned, named) if named else turned
     regular = _regularity(view, trials, found, turned)
-    oblique = float(regular[0]) + _OBLIQUE_PRIOR + level_odds(relations, angle, spread)
+    oblique = float(regular[0]) + _OBLIQUE_PRIOR + level_odds(relations, angle, spread, t, wobble)
     oblique += triad_odds(math.atan2(t[1], t[0]), wobble, angle, spread) if k else 0.0
     oblique += usual_odds(t, wobble) - steep_cost(t, wobble, turned.angle[0, :k], spread)
     readings = [ParallelReading("oblique", oblique, None, 1.0, view)]

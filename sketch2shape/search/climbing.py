@@ -1,9 +1,9 @@
 """Climbing: from the cheapest hypotheses to cheaper ones around them, each step judged by the energy.
 
 The sources follow ink, so where ink misleads them they end beside the truth: two corners of a chamfer taken for one, a
-vertex caught by another line, two that lie close taken for each other. A step changes one vertex (`neighbours`) or
-exchanges two, moves the likeliest few to the ink and keeps the cheapest (steepest ascent; S. Russell, P. Norvig,
-"Artificial Intelligence", section on local search).
+vertex caught by another line, a bend of the hand taken for one, two that lie close taken for each other. A step changes
+one vertex (`neighbours`) or exchanges two, moves the likeliest few to the ink and keeps the cheapest (steepest ascent;
+S. Russell, P. Norvig, "Artificial Intelligence", section on local search).
 """
 
 from __future__ import annotations
@@ -15,12 +15,13 @@ from itertools import chain
 import numpy as np
 
 from sketch2shape.evidence import Evidence, View, judge_stack
-from sketch2shape.hypotheses import Rings, Stack, split, which_plausible
+from sketch2shape.fit import FLAT, turns
+from sketch2shape.hypotheses import Rings, Stack, split, stack, which_plausible
 from sketch2shape.model import Bools, Floats
 from sketch2shape.search.attempts import Looks
 from sketch2shape.search.found import TIE, Found, hand_of, is_same, priced, total
 from sketch2shape.search.neighbours import GAIN, MOST_CLIMBED, VERTEX, neighbours
-from sketch2shape.search.refining import compared_with, refined
+from sketch2shape.search.refining import HOPELESS, compared_with, refined
 from sketch2shape.search.tolerances import Traced
 
 PRICED = 3
@@ -45,7 +46,7 @@ class _Ground:
 
     view    : the drawing
     traced  : its strokes
-    corners : (k, 2) float, pixels: where vertices may be; none if vertices may only be exchanged
+    corners : (k, 2) float, pixels: where vertices may be; none if they may only be exchanged or left out
     hand    : noise of the hand, pixels
     steady  : whether lines are straight
     """
@@ -57,18 +58,18 @@ class _Ground:
     steady: bool
 
 
-def climb(found: list[Found], looks: Looks, view: View, starts: int, *, exchanging: bool = False) -> list[Found]:
+def climb(found: list[Found], looks: Looks, view: View, starts: int, *, closely: bool = False) -> list[Found]:
     """What lies above the cheapest few of the hypotheses found, of each climb all steps.
 
-    looks      : at the drawing; their corners are where a vertex may move to
-    view       : what hypotheses are held against
-    starts     : how many of those found are started from
-    exchanging : vertices may only be exchanged
+    looks   : at the drawing; their corners are where a vertex may move to
+    view    : what hypotheses are held against
+    starts  : how many of those found are started from
+    closely : vertices may only be exchanged or left out
     """
     if not found:
         return []
     first = looks.rounds[0] if looks.rounds else looks.close
-    corners = np.zeros((0, 2)) if exchanging else _corners(looks, view)
+    corners = np.zeros((0, 2)) if closely else _corners(looks, view)
     steady = bool(looks.rounds) and first.is_steady
     ground = _Ground(view, first.traced, corners, hand_of(found), steady)
     return [step for top in _different(found)[:starts] for step in _climbed(top, ground)]
@@ -135,13 +136,18 @@ def _on_ink(top: Found, rings: Rings, evidence: Evidence, ground: _Ground) -> Fo
 
 def _likely(top: Found, ground: _Ground) -> Iterator[tuple[Rings, Evidence]]:
     """Of each kind of neighbours the one that is drawn best and, of the few drawn best, the cheapest."""
-    kinds = neighbours(top.rings, top.evidence, ground.corners, top.sheet) if len(ground.corners) else iter(())
+    kinds = _left_out(top.rings)
+    if len(ground.corners):
+        kinds = neighbours(top.rings, top.evidence, ground.corners, top.sheet)
     for moves in chain(_exchanged(top.rings, EXCHANGED * ground.view.size), kinds):
         some = moves.some(np.flatnonzero(_is_possible(moves, top, ground)))
         if not len(some):
             continue
         judged = judge_stack(some, top.sheet)
-        order = sorted(range(len(judged)), key=lambda k: -judged[k].score)[:PRICED]
+        hopeful = [k for k in range(len(judged)) if judged[k].score > top.evidence.score - HOPELESS]
+        order = sorted(hopeful, key=lambda k: -judged[k].score)[:PRICED]
+        if not order:
+            continue
         # where lines are not straight a vertex for each wobble saves ink: it has to be seen in the score too
         if _adds(moves, top) and not ground.steady and judged[order[0]].score < top.evidence.score + VERTEX + GAIN:
             continue
@@ -187,3 +193,11 @@ def _exchanged(rings: Rings, far: float) -> Iterator[Stack]:
         many, k = np.repeat(v[None], len(i), 0), np.arange(len(i))
         many[k, i], many[k, j] = v[j], v[i]
         yield Stack(many, rings.sizes)
+
+
+def _left_out(rings: Rings) -> Iterator[Stack]:
+    """Hypotheses of faces without holes with one flat vertex less: it may be a bend of the hand."""
+    front, back = rings.front[0], rings.back[0]
+    flat = np.flatnonzero(np.maximum(turns(front), turns(back)) < FLAT)
+    if len(front) > 3 and len(flat):
+        yield stack([Rings((np.delete(front, i, 0),), (np.delete(back, i, 0),)) for i in flat])

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from sketch2shape.evidence import EVEN_ODDS, REFUSE_BELOW, WITNESSES
 from sketch2shape.geometry import cross
+from sketch2shape.hypotheses import frame
 from sketch2shape.ink import Group, closed_at_border, split_groups
 from sketch2shape.model import TRUSTED, Floats, Ink
 from sketch2shape.search.drilled import find_drilled
@@ -43,6 +44,8 @@ LACKING = 8.0
 """Nats of missing lines that a figure of few lines may lack."""
 ATTACHED = 0.03
 """Part of the ink that touches a straight object and is none of it, from which on it may be a pyramid."""
+CONVERGING = 0.04
+"""Shortest edge of a straight object, as a part of the drawing's size, up to which it may be a blurred point."""
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 
@@ -126,8 +129,12 @@ def _may_have_narrow_holes(straight: Found) -> bool:
 
 
 def _may_be_pointed(straight: Found) -> bool:
-    """Whether there is ink left that touches the object: edges of a pyramid that is taken for a prism."""
-    return straight.witnesses is not None and straight.witnesses[WITNESSES.index("attached")] > ATTACHED
+    """Whether it may be a pyramid taken for a prism: ink is left that touches it, or two vertices nearly meet."""
+    if straight.witnesses is not None and straight.witnesses[WITNESSES.index("attached")] > ATTACHED:
+        return True
+    ends = straight.rings.vertices[frame(straight.rings.sizes).edges]
+    shortest = float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).min())
+    return straight.compared is not None and shortest < CONVERGING * straight.compared.view.size
 
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:

@@ -13,6 +13,9 @@ from sketch2shape.model import Floats
 from sketch2shape.search.found import Found
 from sketch2shape.search.tolerances import Traced
 
+HOPELESS = 0.1
+"""Refinement rarely gains more score than this."""
+
 
 def refined(traced: Traced, rings: Rings, evidence: Evidence, sheet: Sheet) -> Found:
     """The hypothesis moved to the ink and without needless vertices, judged as strictly as the lines allow."""

@@ -41,11 +41,9 @@ from sketch2shape.search.attempts import (
 from sketch2shape.search.climbing import climb
 from sketch2shape.search.found import TIE, Found, alike, best_of, is_same, priced, total
 from sketch2shape.search.observed import DENSE, Observed
-from sketch2shape.search.refining import at_dashes, compared_with, refined
+from sketch2shape.search.refining import HOPELESS, at_dashes, compared_with, refined
 from sketch2shape.search.tolerances import is_wireframe
 
-HOPELESS = 0.1
-"""Refinement rarely gains more than this."""
 MOST_REFINED = 40
 """Vertices of a face, of all hypotheses that have been refined, after which a round refines no other."""
 SETTLED = 1.0
@@ -101,11 +99,13 @@ def _above(known: Found | None, looks: Looks, view: View, found: list[Found]) ->
 
 
 def _looked_at_again(best: Found, looks: Looks, view: View, found: list[Found]) -> Found:
-    """A trusted answer, or a cheaper one with more vertices, with one elsewhere, or with two exchanged."""
-    nothing = _leaves_nothing(best)
+    """A trusted answer, or a cheaper one with more vertices, with one elsewhere, exchanged or left out."""
+    nothing, known = _leaves_nothing(best), len(found)
     if not nothing:
         _search(grown_attempts(looks, (best.rings, best.evidence)), view, found)
-    found += climb(found, looks, view, 1, exchanging=nothing)
+    found += climb(found, looks, view, 1, closely=nothing)
+    if len(found) == known:
+        return best
     other = _told(best_of(found))
     return other if other is not None and _is_cheaper(other, best) else best
 

@@ -142,6 +142,15 @@ def test_more_noise_is_a_reason_only_near_the_noise_of_the_hand():
     assert compared.energy(0.1).noise == view.noises[0]
 
 
+@pytest.mark.parametrize(("pen", "most"), [(2, 2.5), (16, 4.0)])
+def test_lines_of_a_thick_pen_may_bend_more(pen, most):
+    view, offset = view_of(prism(SQUARE, SQUARE + DEPTH, width=pen))
+    hand = 0.9
+    off = Rings((SQUARE + 6,), (SQUARE + 6 + DEPTH,)).shifted(-offset)
+    assert (view.noises > most * hand).any()
+    assert compare(off, view, ALL, 4.0).energy(hand).noise == view.noises[view.noises <= most * hand][-1]
+
+
 @pytest.mark.parametrize("noise", [1.5, 4.0])
 def test_straying_ink_costs_by_the_square_of_its_distance_until_it_is_foreign(noise):
     view, offset = view_of(prism(SQUARE, SQUARE + DEPTH))

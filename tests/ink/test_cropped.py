@@ -7,7 +7,7 @@ import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
 from sketch2shape.evidence import REFUSE_BELOW
-from sketch2shape.ink import closed_at_border
+from sketch2shape.ink import closed_at_border, cut_off
 from sketch2shape.search import find_all
 
 BOX = prism(SQUARE, SQUARE + DEPTH, "removed", 4)
@@ -52,6 +52,27 @@ def test_a_box_whose_lowest_edge_is_cut_off_is_read():
     assert found.confidence > 0.5
     gap = np.linalg.norm(found.rings.vertices[:, None] - np.concatenate([SQUARE, SQUARE + DEPTH]), axis=2)
     assert gap.min(axis=0).max() < 8
+
+
+def test_lines_are_seen_up_to_the_sides_that_cut_ink_off_and_no_others():
+    cut = cut_off(ink_of(BOX[:290]))
+    assert cut[0].tolist() == [-np.inf, -np.inf]
+    assert cut[1, 0] == np.inf
+    assert 280 < cut[1, 1] < 290
+    turned = cut_off(ink_of(np.ascontiguousarray(np.rot90(BOX[:290], -1))))
+    assert (0 < turned[0, 0] < 10, turned[0, 1], turned[1].tolist()) == (True, -np.inf, [np.inf, np.inf])
+    assert cut_off(ink_of(BOX)) is None
+    assert cut_off(ink_of(paper())) is None
+    assert cut_off(replace(ink_of(BOX[:290]), page=np.eye(3))) is None
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed"])
+def test_corners_beyond_the_border_are_where_the_other_face_tells(lines):
+    picture = prism(SQUARE, SQUARE + DEPTH, lines, 3)[:, :330]  # the back face ends at 360
+    (found,) = find_all(ink_of(np.ascontiguousarray(picture)))
+    assert found.confidence > 0.9
+    gap = np.linalg.norm(found.rings.vertices[:, None] - np.concatenate([SQUARE, SQUARE + DEPTH]), axis=2)
+    assert gap.min(axis=0).max() < 3
 
 
 def test_what_is_no_object_stays_none():

@@ -44,6 +44,17 @@ def test_a_leaning_oblique_prism_keeps_its_level_face(pair):
     assert abs((vertices[1] - vertices[0]) @ (vertices[3] - vertices[0])) == pytest.approx(150 * 40, rel=0.02)
 
 
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_low_box_seen_from_above_is_the_same_from_every_pair_of_sides(pair):
+    """Two of its axes are drawn twelve degrees apart: about the third, its sides are seen almost from the edge."""
+    up, right, deep = np.array([[0.0, -43.6], [225, 35], [-32, 151]])
+    face = np.array([[0.0, 0], right, right + up, up]) + [150, 100]
+    solid, vertices = volume_and_family(np.concatenate([face, face + deep]), pair)
+    sizes = [np.linalg.norm(vertices[k] - vertices[0]) for k in (1, 4, 3)]
+    assert sizes == pytest.approx(np.array([183.0, 143, 68]) * sizes[0] / 183, rel=0.03)
+    assert solid.confidence > 0.85
+
+
 def test_no_pair_of_sides_that_cross_themselves_is_tried():
     """Four-sided rings that are no solid's picture: the faces given are kept, and the solid is not inside out."""
     face = np.array([[369, 329], [326, 401], [256, 439], [409, 231.0]])

@@ -46,7 +46,7 @@ def start_at(seen, front, back, picture):
     (group,) = split_groups(ink_of(picture))
     best = find(seen)
     rings = Rings((front - group.offset,), (back - group.offset,))
-    evidence = replace(best.evidence, drawn=np.ones(len(front), bool))
+    evidence = replace(judge(rings, best.sheet), drawn=np.ones(len(front), bool))
     return compared_with(replace(best, rings=rings, evidence=evidence), seen.view)
 
 
@@ -105,8 +105,19 @@ def test_vertices_taken_for_each_other_are_exchanged_back():
     picture = prism(close, close + DOWN)
     front, back = close.copy(), close + DOWN
     back[[1, 3]] = back[[3, 1]]
-    steps = top_of(picture, front, back, exchanging=True)
+    steps = top_of(picture, front, back, closely=True)
     assert is_at(steps[-1], close, close + DOWN)
+
+
+def test_a_flat_vertex_that_the_hand_made_is_left_out_of_a_trusted_answer_and_a_corner_is_not():
+    bend = SQUARE[0] + 0.5 * (SQUARE[1] - SQUARE[0]) + [0.0, -1.5]
+    picture = prism(SQUARE, SQUARE + DEPTH)
+    front = np.insert(SQUARE, 1, bend, 0)
+    steps = top_of(picture, front, front + DEPTH, closely=True)
+    assert is_at(steps[-1], SQUARE, SQUARE + DEPTH)
+    assert top_of(picture, SQUARE, SQUARE + DEPTH, closely=True) == []
+    cut = moved(CUT, 2, [0.0, 6.0])  # so blunt a corner is no bend
+    assert top_of(prism(cut, cut + DEPTH), cut, cut + DEPTH, closely=True) == []
 
 
 def test_faces_with_holes_and_of_very_many_vertices_stay_as_they_are():

@@ -8,6 +8,7 @@ import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
 from sketch2shape.evidence import REFUSE_BELOW, WITNESSES
+from sketch2shape.hypotheses import Rings
 from sketch2shape.search import objects
 
 
@@ -112,20 +113,26 @@ def test_a_sure_wireframe_is_searched_for_narrow_holes_where_ink_is_left(monkeyp
     assert all(not how["arcs"] for how in calls)
 
 
-@pytest.mark.parametrize(("attached", "asked"), [(0.2, 1), (0.0, 0)])
-def test_a_sure_prism_that_leaves_lines_beside_it_may_be_a_pyramid(monkeypatch, attached, asked):
-    sure, calls = _sure(monkeypatch, "removed", 20.0, attached), []
+@pytest.mark.parametrize(("attached", "short", "asked"), [(0.2, 20.0, 1), (0.0, 20.0, 0), (0.0, 3.0, 1)])
+def test_a_sure_prism_that_leaves_lines_or_comes_nearly_to_a_point_may_be_a_pyramid(
+    monkeypatch, attached, short, asked
+):
+    sure, calls = _sure(monkeypatch, "removed", 20.0, attached, short), []
     monkeypatch.setattr(objects, "find_pyramid", lambda _, below: calls.append(below))
     assert objects.find_one(None) is sure
     assert calls == [100.0] * asked
 
 
-def _sure(monkeypatch, lines, foreign, attached=0.0):
-    """A straight answer that is sure, and the only one."""
+def _sure(monkeypatch, lines, foreign, attached=0.0, short=20.0):
+    """A straight answer that is sure, and the only one, in a drawing of size 100; short: its shortest edge."""
     told = np.where(np.array(WITNESSES) == "attached", attached, 0.0)
     energy = SimpleNamespace(lines=lines, foreign=foreign, total=100.0)
-    sure = SimpleNamespace(confidence=0.95, energy=energy, witnesses=told)
-    monkeypatch.setattr(objects, "observed", lambda _: SimpleNamespace(skeleton=None, view=SimpleNamespace(size=100.0)))
+    view = SimpleNamespace(size=100.0)
+    face = np.array([[0.0, 0], [40, 0], [0, 30]])
+    rings = Rings((face,), (face + [0.0, -short],))
+    compared = SimpleNamespace(view=view)
+    sure = SimpleNamespace(confidence=0.95, energy=energy, witnesses=told, rings=rings, compared=compared)
+    monkeypatch.setattr(objects, "observed", lambda _: SimpleNamespace(skeleton=None, view=view))
     monkeypatch.setattr(objects, "bowed_part", lambda *_: 0.0)
     monkeypatch.setattr(objects, "find", lambda _: sure)
     monkeypatch.setattr(objects, "find_drilled", lambda *_: None)
