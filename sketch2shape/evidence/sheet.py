@@ -28,7 +28,7 @@ class Sheet:
     reach    : pixels a drawn line may be away from the predicted one
     pen      : pen width, pixels
     step     : skeleton pixels for each of the points
-    cut      : (2, 2) float, pixels: least and greatest x and y up to which lines are seen (`ink.cut_off`), or None
+    cut      : (2, 2) float, pixels: least and greatest x and y of the picture where it cuts ink off, or None
     """
 
     skeleton: Skeleton

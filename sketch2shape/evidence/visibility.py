@@ -82,7 +82,7 @@ def hidden_depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.ui
 
 
 def in_picture(points: Floats, cut: Floats) -> Bools:
-    """Whether points (..., 2) lie where lines are seen; cut (2, 2): least and greatest x and y, pixels."""
+    """Whether points (..., 2) lie in the picture; cut (2, 2): its least and greatest x and y, pixels."""
     return np.asarray(((points >= cut[0]) & (points <= cut[1])).all(axis=-1))
 
 

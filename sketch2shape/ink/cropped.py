@@ -16,7 +16,7 @@ MOST_CUTS = 8
 
 
 def cut_off(ink: Ink) -> Floats | None:
-    """(2, 2) float, pixels: least and greatest x and y up to which lines are seen, where sides of the picture cut ink.
+    """(2, 2) float, pixels: least and greatest x and y of the picture, where its sides cut ink off.
 
     Infinite on sides that ink does not run into in two places; None if no side cuts anything.
     """
@@ -27,8 +27,8 @@ def cut_off(ink: Ink) -> Floats | None:
     top, bottom, left, right = (_cuts(side, pen) is not None for side in (mask, mask[::-1], mask.T, mask.T[::-1]))
     if not (top or bottom or left or right):
         return None
-    least = (pen if left else -np.inf, pen if top else -np.inf)
-    return np.array([least, (w - 1 - pen if right else np.inf, h - 1 - pen if bottom else np.inf)])
+    least = (0.0 if left else -np.inf, 0.0 if top else -np.inf)
+    return np.array([least, (w - 1.0 if right else np.inf, h - 1.0 if bottom else np.inf)])
 
 
 def closed_at_border(ink: Ink) -> Ink | None:

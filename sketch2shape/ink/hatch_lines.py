@@ -22,20 +22,24 @@ MOST_ARCS = 5000
 """So are more pieces of lines between their meetings: drawings seen had 1436 at most, white noise has 47,000."""
 FEWEST = 5
 """Lines of a hatching, at least ..."""
-CLOSEST = 3.5
+CLOSEST = 2.0
 """... their usual distance in pens, at least: closer ones are an area, see `without_hatching` ..."""
-FARTHEST = 0.07
+FARTHEST = 0.1
 """... their greatest distance as a share of the diagonal of the ink ..."""
-SLENDER = 1.2
-"""... and as a share of their length ..."""
+SLENDER, WIDE = 1.2, 0.4
+"""... and as a share of their length, if it is no more than the next share of the diagonal, and if it is more ..."""
+USUALLY = 0.07
+"""... and that share ..."""
 LONGEST = 2.0
 """... the greatest length of one, in lengths of the longer one beside it: an edge may run on in a line ..."""
-LEAST = 0.35
+LEAST = 0.25
 """... their least length as a share of FARTHEST ..."""
 EVEN = 2.0
 """... and the greatest ratio between two distances in a row."""
 MOST_EVEN = 0.7
 """Share of the lines that are so."""
+MANY = 14
+"""Lines side by side that end at no corner, from which on they need not be even: a bar with blunt bends has twelve."""
 SWAY = 3.0
 """Greatest angle off the median of a hatching, in medians of what its lines are off ..."""
 LEAST_SWAY = np.radians(3.0)
@@ -44,6 +48,10 @@ PARALLEL = np.radians(14.0)
 """Greatest angle between neighbours, radians: pencils sway."""
 OVERLAP = 0.4
 """Least share of the shorter of two neighbours that lies beside the other."""
+RIM, USUAL = 1.5, 0.9
+"""Factor on the distance that nine in ten lines have at most, within which a line has another at its side ..."""
+SHORTER = 0.7
+"""... and its length over the other's from which on one that has none on its other side is an edge."""
 SCANNED = 6
 """Every so manyeth row and column is looked at for even distances ..."""
 SEEN = 4
@@ -52,7 +60,7 @@ PASSED = 4.5
 """A line that passes an end goes on for so many pens on both sides ..."""
 INKED = 0.85
 """... with ink on at least this share of them."""
-CORNER = 0.3
+CORNER = 0.2
 """Ends of two lines that are this close, as a share of FARTHEST, are a corner with a gap."""
 
 
@@ -85,8 +93,42 @@ def without_hatch_lines(mask: Bools) -> Bools:
     gone = np.zeros(int(arcs.max()) + 1, np.bool_)
     gone[[arc for line in np.flatnonzero(hatching).tolist() for arc in lines.arcs[line]]] = True
     result = mask.copy()
-    result[y : y + h, x : x + w] &= ~_ink_of(gone[arcs], skeleton & ~gone[arcs], pen)
+    result[y : y + h, x : x + w] &= ~_ink_of(skeleton & gone[arcs], _kept(skeleton, arcs, joints, gone), pen)
     return result
+
+
+def _kept(skeleton: Bools, arcs: Ints, joints: Ints, gone: Bools) -> Bools:
+    """(h, w) the skeleton without the arcs that go, and without the stubs that these would leave at the others.
+
+    gone : (n + 1,) whether each arc goes
+    """
+    goes = gone[arcs]
+    touched = np.zeros(int(joints.max()) + 1, np.bool_)
+    touched[_beside(skeleton & goes, joints)[2]] = True
+    y, x, joint = (values.tolist() for values in _beside(skeleton & ~goes & (arcs > 0), joints))
+    ends: dict[int, dict[int, list[tuple[int, int]]]] = {}
+    for px, py, beside in zip(x, y, joint, strict=True):
+        if touched[beside]:
+            ends.setdefault(beside, {}).setdefault(int(arcs[py, px]), []).append((px, py))
+    # a line that ends there may have reached its corner
+    touched[[beside for beside, some in ends.items() if len(some) == 1]] = False
+    kept = as_gray(skeleton & ~goes & ~touched[joints])
+    for some in ends.values():
+        tips = [np.mean(points, axis=0).round().astype(int).tolist() for points in some.values()]
+        middle = np.mean(tips, axis=0).round().astype(int).tolist()
+        for tip in tips if len(tips) > 1 else ():
+            cv2.line(kept, tip, middle, 1)
+    return kept > 0
+
+
+def _beside(some: Bools, joints: Ints) -> tuple[Ints, Ints, Ints]:
+    """Row and column of each pixel that lies within two pixels of a joint, and that joint; once for each joint."""
+    near = cv2.dilate(as_gray(joints > 0), np.ones((5, 5), np.uint8)) > 0
+    y, x = np.nonzero(some & near)
+    padded = np.pad(joints, 2)
+    around = np.sort(np.stack([padded[y + j, x + i] for j in range(5) for i in range(5)], axis=1), axis=1)
+    pixel, place = np.nonzero(np.diff(around, axis=1, prepend=0))
+    return y[pixel], x[pixel], around[pixel, place]
 
 
 def _has_even_gaps(rows: Gray, farthest: float) -> bool:
@@ -166,7 +208,9 @@ def _neighbours(lines: Lines, pen: float, farthest: float) -> _Neighbours:
     beside = 0.5 * (length[:, None] + length) - along > OVERLAP * shorter
     parallel = np.abs(axis @ axis.T) > np.cos(PARALLEL)
     apart = np.minimum(np.abs(across), np.abs(across.T))
-    near = parallel & beside & (apart > 1.2 * pen) & (apart < np.minimum(farthest, SLENDER * shorter))
+    usual = USUALLY / FARTHEST * farthest
+    most = np.maximum(np.minimum(usual, SLENDER * shorter), np.minimum(farthest, WIDE * shorter))
+    near = parallel & beside & (apart > 1.2 * pen) & (apart < most)
     return _Neighbours(apart, across, near)
 
 
@@ -189,10 +233,25 @@ def _hatching(lines: Lines, ink: Gray, pen: float, farthest: float) -> Bools:
         if len(group) < FEWEST:
             continue
         gaps = np.where(linked, beside.apart, np.inf)[np.ix_(group, group)].min(axis=1)
-        if _are_even(gaps) and np.median(gaps) > CLOSEST * pen:
-            result[group] = True
-            result |= _stragglers(lines, beside.near, loose, group, float(np.median(gaps)))
+        known = gaps[np.isfinite(gaps)]
+        if len(known) and (len(group) >= MANY or _are_even(gaps)) and np.median(gaps) > CLOSEST * pen:
+            spacing = float(np.median(gaps))
+            every = np.zeros_like(result)
+            every[group] = True
+            every |= _stragglers(lines, beside.near, loose, group, spacing)
+            result |= every & ~_on_rim(beside, length, RIM * float(np.quantile(known, USUAL)))
     return result
+
+
+def _on_rim(beside: _Neighbours, length: Floats, far: float) -> Bools:
+    """(n,) lines without others on both sides, that are no shorter: a hatching ends at an edge, or in a corner.
+
+    far : pixels beyond which a line has none
+    """
+    near = beside.near & (beside.apart < far)
+    left, right = near & (beside.across < 0), near & (beside.across > 0)
+    longest = np.where(near, length, 0.0).max(axis=1)
+    return np.asarray(~(left.any(axis=1) & right.any(axis=1)) & (length > SHORTER * longest))
 
 
 def _stragglers(lines: Lines, near: Bools, loose: Ints, group: list[int], spacing: float) -> Bools:
@@ -200,7 +259,10 @@ def _stragglers(lines: Lines, near: Bools, loose: Ints, group: list[int], spacin
     alike = np.zeros(len(loose), np.bool_)
     alike[_alike(lines.axis, list(range(len(loose))), group)] = True
     usual = float(np.median(lines.length[group]))
-    result = alike & near[group].any(axis=0) & (loose >= 1) & (lines.length < LONGEST * usual)
+    close = near[group].any(axis=0)
+    # an edge among them parts a hatching
+    beyond = near[close].any(axis=0) & (loose == 2)
+    result = alike & (close | beyond) & (loose >= 1) & (lines.length < LONGEST * usual)
     hull = cv2.convexHull(lines.ends[group].reshape(-1, 2).astype(np.float32))
     for k in np.flatnonzero(alike & ~result & (lines.length < usual)).tolist():
         depth = cv2.pointPolygonTest(hull, lines.ends[k].mean(axis=0).tolist(), True)

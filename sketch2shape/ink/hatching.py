@@ -15,8 +15,8 @@ from sketch2shape.model import Bools, Floats, Gray
 
 SPACING = 0.018
 """Lines of a hatching are at most this share of the picture's diagonal apart."""
-EXTENT = 0.05
-"""A hatched face holds a square of this share of the diagonal."""
+EXTENTS = (0.05, 0.03)
+"""A hatched face holds a square of such a share of the diagonal: a narrow one a small square."""
 LINES = 10
 """Least number of lines that a walk across a hatching meets."""
 COHERENCE = 0.6
@@ -27,6 +27,12 @@ LEAVING = 1.0
 """Greatest number of lines that leave a hatched face, edges at its corners, by that of the lines of the hatching."""
 TURNS = 36
 """Directions that are tried for the edges through a hatching."""
+ALONG = np.radians(12.5)
+"""Angle up to which a line runs along a hatching, radians."""
+CROSSED = 1.5
+"""Length of the lines that tell the directions of a cross-hatching, over the greatest distance of hatch lines."""
+CELLS, MOSTLY_CELLS = 40, 0.7
+"""Small cells between the lines of a cross-hatching, at least, and the part of what is bare that they cover."""
 
 
 def without_hatching(mask: Bools, diagonal: float) -> Bools:
@@ -39,9 +45,16 @@ def without_hatching(mask: Bools, diagonal: float) -> Bools:
     pen_width = rough_pen_width(mask)
     if pen_width > 0.6 * SPACING * diagonal:
         return mask
+    for extent in EXTENTS:
+        mask = _without_areas(mask, pen_width, diagonal, extent * diagonal)
+    return mask
+
+
+def _without_areas(mask: Bools, pen_width: float, diagonal: float, extent: float) -> Bools:
+    """The ink without the lines of hatched areas that hold a square with sides of `extent` pixels."""
     ink = np.asarray(mask, np.bool_).view(np.uint8)
-    box = square(EXTENT * diagonal)
-    if not _may_be_dense(ink, SPACING * diagonal, EXTENT * diagonal):
+    box = square(extent)
+    if not _may_be_dense(ink, SPACING * diagonal, extent):
         return mask
     closed = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, square(SPACING * diagonal))
     core = cv2.erode(closed, box)
@@ -51,16 +64,13 @@ def without_hatching(mask: Bools, diagonal: float) -> Bools:
     result = mask
     for label in range(1, min(int(labels.max()), 8) + 1):
         area = _grown(np.asarray(labels == label, dtype=np.uint8), np.asarray(closed, dtype=np.uint8), box)
-        angle = _direction(ink, area)
-        if angle is None:
-            continue
-        lines = _even_lines(ink, area, angle, SPACING * diagonal)
+        inner = cv2.erode(area, square(2.0 * pen_width + 5.0)) > 0
+        angles, lines = _hatched(ink, area, inner, SPACING * diagonal)
         if not lines or _leaving(ink, area) > LEAVING * lines:
             continue
-        inner = cv2.erode(area, square(2.0 * pen_width + 5.0)) > 0
         x, y, w, h = cv2.boundingRect(area)
         edges = np.zeros_like(mask)
-        edges[y : y + h, x : x + w] = _other_lines(ink[y : y + h, x : x + w], angle, 2.5 * SPACING * diagonal)
+        edges[y : y + h, x : x + w] = _other_lines(ink[y : y + h, x : x + w], angles, 2.5 * SPACING * diagonal)
         result = result & (~inner | edges)
     return result
 
@@ -80,16 +90,54 @@ def _grown(core: Gray, closed: Gray, box: Gray) -> Gray:
     return area
 
 
-def _direction(ink: Gray, area: Gray) -> float | None:
+def _hatched(ink: Gray, area: Gray, inner: Bools, spacing: float) -> tuple[list[float], int]:
+    """Directions of the lines that hatch an area, one or two, radians, and about how many they are; 0 if none do.
+
+    inner : (h, w) the area without its outline, of which a narrow one is mostly made
+    """
+    inside = cv2.erode(area, np.ones((7, 7), np.uint8)) > 0
+    for part in (inside, inner):
+        angle = _direction(ink, part)
+        if angle is not None:
+            return [angle], _even_lines(ink, area, angle, spacing)
+    lines = _lines_of_cells(ink, inside, spacing)
+    return (_two_directions(ink, inside, CROSSED * spacing), lines) if lines else ([], 0)
+
+
+def _direction(ink: Gray, inside: Bools) -> float | None:
     """Angle of the lines in an area, radians, from the structure tensor; None if they have no common direction."""
     soft = cv2.GaussianBlur(ink * np.uint8(255), (3, 3), 0)
-    inside = cv2.erode(area, np.ones((7, 7), np.uint8)) > 0
     gx = np.asarray(cv2.Sobel(soft, cv2.CV_32F, 1, 0), dtype=np.float64)[inside]
     gy = np.asarray(cv2.Sobel(soft, cv2.CV_32F, 0, 1), dtype=np.float64)[inside]
     xx, yy, xy = float(gx @ gx), float(gy @ gy), float(gx @ gy)
     if np.hypot(xx - yy, 2 * xy) < COHERENCE * (xx + yy) or xx + yy == 0.0:
         return None
     return 0.5 * float(np.arctan2(2 * xy, xx - yy)) + np.pi / 2
+
+
+def _two_directions(ink: Gray, inside: Bools, length: float) -> list[float]:
+    """Angles of the lines that cross each other all over an area, radians: most ink lies on lines of such a length."""
+    x, y, w, h = cv2.boundingRect(inside.view(np.uint8))
+    part = np.where(inside, ink, 0).astype(np.uint8)[y : y + h, x : x + w]
+    ways = np.arange(TURNS) * np.pi / TURNS
+    held = np.array([np.count_nonzero(cv2.morphologyEx(part, cv2.MORPH_OPEN, _line(way, length))) for way in ways])
+    first = int(held.argmax())
+    second = int(np.where(_between(ways, ways[first]) > 2.0 * ALONG, held, -1).argmax())
+    return [float(ways[first]), float(ways[second])]
+
+
+def _between(ways: Floats, way: float) -> Floats:
+    """Angles between lines, radians, 0 to pi / 2."""
+    return np.asarray(np.abs((ways - way + np.pi / 2) % np.pi - np.pi / 2))
+
+
+def _lines_of_cells(ink: Gray, inside: Bools, spacing: float) -> int:
+    """About how many lines cross each other in an area, by the cells between them; 0 if cells are few or large."""
+    stats = cv2.connectedComponentsWithStats((inside & (ink == 0)).view(np.uint8), connectivity=4)[2]
+    sizes = stats[1:, cv2.CC_STAT_AREA]
+    small = sizes < spacing * spacing
+    many = np.count_nonzero(small) >= CELLS and sizes[small].sum() >= MOSTLY_CELLS * sizes.sum()
+    return int(2.0 * np.sqrt(np.count_nonzero(small))) if many else 0
 
 
 def _leaving(ink: Gray, area: Gray) -> int:
@@ -127,12 +175,12 @@ def _gaps(mask: Bools, area: Gray, start: Floats, step: Floats, reach: float) ->
     return 0.5 * np.diff(np.flatnonzero(np.diff(met) == 1)).astype(np.float64)
 
 
-def _other_lines(ink: Gray, angle: float, length: float) -> Bools:
+def _other_lines(ink: Gray, angles: list[float], length: float) -> Bools:
     """(h, w) ink on straight lines of some length that do not run along the hatching."""
     kept = np.zeros_like(ink)
-    for turn in range(3, TURNS - 2):
-        kernel = _line(angle + turn * np.pi / TURNS, length)
-        kept |= np.asarray(cv2.morphologyEx(ink, cv2.MORPH_OPEN, kernel), dtype=np.uint8)
+    for way in angles[0] + np.arange(TURNS) * np.pi / TURNS:
+        if _between(np.array(angles), way).min() > ALONG:
+            kept |= np.asarray(cv2.morphologyEx(ink, cv2.MORPH_OPEN, _line(way, length)), dtype=np.uint8)
     return kept > 0
 
 

@@ -56,14 +56,15 @@ AnyFound: TypeAlias = Verified | FoundSweep
 def find_all(ink: Ink) -> list[AnyFound]:
     """The best hypothesis for every group of ink on the sheet that has one, in the sheet's working pixels.
 
-    Where there is no answer, an edge may have been cut off: the sides of the picture that ink runs into are drawn too.
+    Where the answer is unlikely, an edge may lie along the border: the sides that ink runs into are drawn too.
     """
     exact = find_exact(ink)
     if exact is not None:
         return [exact]
     found = _find_groups(ink)
     # where nothing was found at all, there is no drawing
-    if found and not any(map(_is_answer, found)) and (closed := closed_at_border(ink)) is not None:
+    doubted = bool(found) and max(f.confidence for f in found) < EVEN_ODDS
+    if doubted and (closed := closed_at_border(ink)) is not None:
         again = _find_groups(closed)
         return again if any(f.confidence >= EVEN_ODDS for f in again) else found
     return found

@@ -58,9 +58,9 @@ def test_lines_are_seen_up_to_the_sides_that_cut_ink_off_and_no_others():
     cut = cut_off(ink_of(BOX[:290]))
     assert cut[0].tolist() == [-np.inf, -np.inf]
     assert cut[1, 0] == np.inf
-    assert 280 < cut[1, 1] < 290
+    assert cut[1, 1] == 289
     turned = cut_off(ink_of(np.ascontiguousarray(np.rot90(BOX[:290], -1))))
-    assert (0 < turned[0, 0] < 10, turned[0, 1], turned[1].tolist()) == (True, -np.inf, [np.inf, np.inf])
+    assert turned.tolist() == [[0.0, -np.inf], [np.inf, np.inf]]
     assert cut_off(ink_of(BOX)) is None
     assert cut_off(ink_of(paper())) is None
     assert cut_off(replace(ink_of(BOX[:290]), page=np.eye(3))) is None

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sketch2shape.ink.hatch_lines import without_hatch_lines
+from sketch2shape.ink.hatch_lines import MANY, without_hatch_lines
 
 SHAPE = (480, 640)
 FRONT = np.array([[120, 180], [340, 200], [350, 420], [110, 400]])
@@ -46,6 +46,33 @@ def test_wide_hatching_goes_and_the_edges_stay(angle: float, spacing: float, swa
     inner = lines & ~cv2.dilate(box, np.ones((9, 9), np.uint8))
     assert left(result, inner) < 0.35
     assert left(result, box) > 0.97
+
+
+def test_lines_leave_no_stubs_at_the_edges_they_ended_on() -> None:
+    box = outline()
+    result = without_hatch_lines((box | hatching(55, 22)) > 0)
+    beside = cv2.dilate(box, np.ones((3, 3), np.uint8)) == 0
+    assert np.count_nonzero(result & beside) < 0.01 * np.count_nonzero(box)
+
+
+@pytest.mark.parametrize(("count", "goes"), [(MANY + 2, True), (MANY - 2, False)])
+def test_many_lines_need_not_be_even(monkeypatch: pytest.MonkeyPatch, count: int, goes: bool) -> None:
+    monkeypatch.setattr("sketch2shape.ink.hatch_lines._are_even", lambda _: False)
+    lines = np.zeros(SHAPE, np.uint8)
+    for k in range(count):
+        cv2.line(lines, (125 + 14 * k, 225), (130 + 14 * k, 320), 1, 2)
+    remains = left(without_hatch_lines(lines > 0), lines)
+    assert remains < 0.25 if goes else remains == 1.0
+
+
+def test_an_edge_along_which_the_lines_run_stays() -> None:
+    box, lines = outline(), np.zeros(SHAPE, np.uint8)
+    for k in range(1, 9):
+        a, b = FRONT[0] + k * (FRONT[3] - FRONT[0]) / 9, FRONT[1] + k * (FRONT[2] - FRONT[1]) / 9
+        cv2.line(lines, np.round(a).astype(int).tolist(), np.round(b).astype(int).tolist(), 1, 2)
+    result = without_hatch_lines((box | lines) > 0)
+    assert left(result, lines & ~cv2.dilate(box, np.ones((9, 9), np.uint8))) < 0.15
+    assert left(result, box) > 0.98
 
 
 def test_the_same_however_it_is_turned() -> None:

@@ -43,6 +43,24 @@ def test_a_line_across_the_hatching_stays() -> None:
     assert kept[100:260, 210].mean() > 0.95
 
 
+@pytest.mark.parametrize(("first", "second"), [(45.0, -45.0), (20.0, 110.0), (0.0, 60.0)])
+def test_lines_that_cross_each_other_all_over_a_face_go(first: float, second: float) -> None:
+    drawn = (hatched(8.0, first) | hatched(7.0, second)) > 0
+    kept = without_hatching(drawn, DIAGONAL)
+    assert kept[outline() > 0].mean() > 0.98
+    assert kept[110:250, 130:290].mean() < 0.01
+
+
+def test_a_narrow_face_is_hatched_too() -> None:
+    narrow = np.zeros((380, 480), np.uint8)
+    cv2.fillPoly(narrow, [np.array([[100, 80], [125, 80], [125, 280], [100, 280]])], 1)
+    drawn = ((hatched(6.0, 5.0) & narrow) | outline()) > 0
+    cv2.line(drawn.view(np.uint8), (125, 80), (125, 280), 1, 2)
+    kept = without_hatching(drawn, DIAGONAL)
+    assert kept[outline() > 0].mean() > 0.98
+    assert kept[110:250, 108:118].mean() < 0.01
+
+
 def test_nothing_hatched_nothing_changed() -> None:
     drawn = outline() > 0
     assert without_hatching(drawn, DIAGONAL) is drawn
