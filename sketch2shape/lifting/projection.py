@@ -9,7 +9,7 @@ import numpy as np
 
 from sketch2shape.lifting.bent import Bent, bent_faces
 from sketch2shape.lifting.face_relation import FaceRelation, relate_faces
-from sketch2shape.model import Bools, Floats, Ints, TwoFaceObject
+from sketch2shape.model import Bools, Floats, Ints, Side, TwoFaceObject
 
 #: least standard deviation of a drawn vertex, pixels: nothing is known better than this
 _LEAST_NOISE = 0.3
@@ -38,6 +38,7 @@ class Drawing:
     to_picture    : (3, 3) homography from these pixels to those of the picture
     bent          : how the points belong together where some edges are arcs; then points on these follow the vertices
     pointed       : does the object come to a point? All of the second face is then there
+    front         : the nearer face of a round or pointed object, where the drawing tells it
     """
 
     first: Floats
@@ -51,6 +52,7 @@ class Drawing:
     to_picture: Floats
     bent: Bent | None = None
     pointed: bool = False
+    front: Side | None = None
 
     @property
     def is_box(self) -> bool:
@@ -111,6 +113,7 @@ def prepare(obj: TwoFaceObject) -> Drawing:
         to_picture,
         bent,
         obj.is_pointed,
+        obj.front,
     )
 
 

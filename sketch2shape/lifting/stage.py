@@ -106,12 +106,15 @@ def _regular(shape: Shape, way: Option, done: dict[tuple[int, float], Shape]) ->
 
 
 def _from_behind(drawing: Drawing, shape: Shape) -> bool:
-    """Is the front face of a round or pointed object that tapers the far one? Things are seen from above.
+    """Is the front face of a round or pointed object that tapers the far one?
 
-    It is drawn below the smaller end where the object stands, and above it where it lies.
+    Where the drawing does not tell, things are seen from above: it is drawn below the smaller end where the object
+    stands, and above it where it lies.
     """
     if shape.taper >= 1.0 or shape.free_axis != 2 or not (drawing.pointed or drawing.bent):
         return False
+    if drawing.front is not None:
+        return drawing.front == "f2"
     right, down = (drawing.second.mean(axis=0) - drawing.middle(drawing.first)).tolist()
     plumb = abs(right) <= _PLUMB * abs(down)
     return down < 0 if plumb else down > 0 and drawing.pointed

@@ -90,6 +90,7 @@ class TwoFaceObject(Brief):
     page       : (3, 3) homography that rectifies a page photographed at a tilt, or None
     arcs       : the curved edges of all rings of both faces; all other edges are straight
     silhouettes : (s, 2, 2) float pixels, the straight outlines of its curved sides
+    front      : the nearer face of a round or pointed object, where hidden lines tell it; of others that is f1
     """
 
     f1: Floats
@@ -103,6 +104,7 @@ class TwoFaceObject(Brief):
     page: Floats | None = None
     arcs: tuple[DrawnArc, ...] = ()
     silhouettes: Floats = field(default_factory=lambda: np.zeros((0, 2, 2)), repr=False)
+    front: Side | None = None
 
     def __post_init__(self) -> None:
         """Take lists and OpenCV's (n, 1, 2) too, and holes as (f1, f2). Raises PointsError for what is none."""
@@ -157,7 +159,9 @@ class TwoFaceObject(Brief):
             raise PointsError("the point of a pyramid or a cone cannot be the front face")
         holes = tuple(FacePair(h.f2, h.f1) for h in self.holes)
         arcs = tuple(replace(arc, face="f2" if arc.face == "f1" else "f1") for arc in self.arcs)
-        return replace(self, f1=self.f2, f2=self.f1, holes=holes, arcs=arcs, connectors=self.connectors[::-1])
+        other: dict[Side | None, Side | None] = {"f1": "f2", "f2": "f1", None: None}
+        told = replace(self, connectors=self.connectors[::-1], front=other[self.front])
+        return replace(told, f1=self.f2, f2=self.f1, holes=holes, arcs=arcs)
 
 
 def _settle_rings(pair: FacePair | TwoFaceObject) -> None:

@@ -7,13 +7,15 @@ from typing import Literal
 
 import numpy as np
 
-from sketch2shape.model import Bools, DrawnArc, Ellipse, FacePair, Floats, Ink, Lines, TwoFaceObject
+from sketch2shape.model import Bools, DrawnArc, Ellipse, FacePair, Floats, Ink, Lines, Side, TwoFaceObject
 from sketch2shape.search.found_sweep import FoundSweep
-from sketch2shape.sweeps import Outline, Sweep, redraw, seen_vertices
+from sketch2shape.sweeps import Outline, Redrawn, Sweep, redraw, seen_vertices
 from sketch2shape.sweeps.outlines import STEPS
 
 SPACING, MARGIN = 4.0, 3.0
 """Pixels between samples, and within which a line may lie on the border of sight."""
+PLUMB = 0.1
+"""Sine of the angle off the plumb up to which a point stands above its base."""
 
 
 def sweep_as_object(found: FoundSweep, ink: Ink) -> TwoFaceObject:
@@ -37,7 +39,20 @@ def sweep_as_object(found: FoundSweep, ink: Ink) -> TwoFaceObject:
         page=ink.page,
         arcs=arcs,
         silhouettes=ink.to_picture(drawn.silhouettes),
+        front=_front(found, drawn),
     )
+
+
+def _front(found: FoundSweep, drawn: Redrawn) -> Side | None:
+    """The nearer face, where hidden lines tell it, or where a base hides nothing that would have to be drawn."""
+    sweep = found.sweep
+    if found.energy.lines != "wire":
+        return "f1" if sweep.is_near else "f2"
+    if not sweep.is_near or not sweep.way.is_pointed or sweep.way.centre is None or (drawn.depth == 2).any():
+        return None
+    right, down = (sweep.way.centre - sweep.rings[0].middle).tolist()
+    stands = down < 0.0 and abs(right) < PLUMB * float(np.hypot(right, down))
+    return None if stands else "f1"
 
 
 def _back(sweep: Sweep) -> list[Floats]:

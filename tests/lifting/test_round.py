@@ -1,5 +1,7 @@
 """Drawings with arcs, and those that come to a point, become the solids that were drawn."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -151,3 +153,18 @@ def test_an_edge_on_circle_gets_a_warning():
 def test_a_straight_object_is_none_the_worse():
     square = np.array([[100, 100], [200, 100], [200, 200], [100, 200.0]])
     assert lift(TwoFaceObject(square, square + [40, -40])).boundary.is_round is False
+
+
+@pytest.mark.parametrize("name", ["cone", "frustum"])
+def test_the_face_that_hidden_lines_show_in_front_is_the_nearer_one(name):
+    """The picture is the same: of a thing seen from above or from below."""
+    rings, depth, scale, *_ = CASES[name]
+    obj = Drawer(axonometric(), STANDING).draw(rings, depth, scale)
+    assert [is_base_near(lift(replace(obj, front=front))) for front in ("f1", "f2")] == [True, False]
+
+
+def is_base_near(solid):
+    """Whether the largest circle lies nearer to the viewer than the middle of the solid."""
+    base = max((e.curve for e in solid.edges if isinstance(e.curve, Circle)), key=lambda c: c.radius)
+    inwards = np.cross(solid.camera[0, :3], solid.camera[1, :3])
+    return base.center @ inwards < solid.boundary.extremes(np.eye(3)).mean(axis=0) @ inwards

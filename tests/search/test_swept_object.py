@@ -1,5 +1,6 @@
 """A sweep as the object in the picture: arcs from vertex to vertex, in picture pixels."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -50,3 +51,18 @@ def test_back_vertices_that_no_line_shows_are_told():
     shown = as_object(ARCH, "removed").f2_drawn
     assert shown.any()
     assert not shown.all()
+
+
+@pytest.mark.parametrize(("near", "face"), [(True, "f1"), (False, "f2")])
+def test_hidden_lines_tell_which_face_is_in_front(near, face):
+    sweep = replace(CONE, is_near=near)
+    assert as_object(sweep, "removed").front == face
+    assert as_object(sweep, "dashed").front == face
+    assert as_object(CYLINDER).front is None
+
+
+def test_a_base_that_hides_nothing_is_in_front_unless_its_point_stands_above_it():
+    up = CONE.way.centre - CONE.rings[0].middle
+    for way, face in ((up, None), (-up, "f1"), (up[::-1] * [-1.0, 1.0], "f1")):
+        sweep = replace(CONE, way=replace(CONE.way, centre=CONE.rings[0].middle + 1.5 * way), is_near=True)
+        assert as_object(sweep).front == face
