@@ -14,7 +14,7 @@ from sketch2shape.evidence.sweep_calibration import sweep_confidence
 from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses, unexplained_part
 from sketch2shape.evidence.unexplained import unexplained_strokes
 from sketch2shape.evidence.view import View, observe
-from sketch2shape.evidence.witness import WITNESSES, witnesses
+from sketch2shape.evidence.witness import WITNESSES, is_crosswise, witnesses
 
 __all__ = [
     "EVEN_ODDS",
@@ -34,6 +34,7 @@ __all__ = [
     "compare_sweep",
     "confidence",
     "exactly_drawn",
+    "is_crosswise",
     "is_dashed",
     "judge",
     "judge_all",

@@ -47,6 +47,8 @@ BESIDE = 0.35
 """Pens between two edges drawn along each other."""
 BLUR, PEN_BOW = 0.5, 0.1
 """Pixels, and pens more, by which the ink of a straight edge may seem to bow."""
+ASIDE = 3.0
+"""Standard deviations of the hand by which the ends of an edge lie aside of a line that runs in another direction."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 
@@ -172,6 +174,22 @@ def directions(span: Floats, length: Floats, enough: int | None = None) -> int:
         if all(min(abs(angle - f), np.pi - abs(angle - f)) > ONE_WAY for f in found):
             found.append(angle)
     return len(found)
+
+
+def is_crosswise(rings: Rings, noise: float) -> bool:
+    """Whether all edges run in two directions, to the noise of the hand, pixels: a table is drawn so, and no object.
+
+    The third direction of an object shows even where it is seen nearly along a face.
+    """
+    edges = frame(rings.sizes).edges
+    left = rings.vertices[edges[:, 1]] - rings.vertices[edges[:, 0]]
+    for _ in range(2):
+        longest = left[int(np.hypot(*left.T).argmax())]
+        aside = np.abs(left[:, 0] * longest[1] - left[:, 1] * longest[0]) / (np.hypot(*longest) + 1e-9)
+        left = left[aside > ASIDE * noise]
+        if not len(left):
+            return True
+    return False
 
 
 def doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:

@@ -21,6 +21,7 @@ from sketch2shape.evidence import (
     View,
     against_rivals,
     confidence,
+    is_crosswise,
     rivalry,
     with_hidden,
     witnesses,
@@ -161,8 +162,8 @@ def _told(best: Found | None) -> Found | None:
         return None
     told = witnesses(best.rings, best.energy, best.compared, best.evidence)
     sure = confidence(told)
-    # a face alone, or doubtful and an edge that nobody has drawn
-    is_face = np.count_nonzero(best.evidence.drawn) < LEAST_DRAWN
+    # a face alone, a table, or doubtful and an edge that nobody has drawn
+    is_face = np.count_nonzero(best.evidence.drawn) < LEAST_DRAWN or is_crosswise(best.rings, best.energy.noise)
     is_none = is_face or (sure < EVEN_ODDS and best.evidence.weakest < BARE)
     return replace(best, witnesses=told, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, SQUARE, ink_of, line, outline, paper, prism, sheet_of
 
-from sketch2shape.evidence import WITNESSES, compare, judge, observe, witnesses
+from sketch2shape.evidence import WITNESSES, compare, is_crosswise, judge, observe, witnesses
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.ink import split_groups
 from sketch2shape.model.drawing import ring_edges
@@ -112,3 +112,13 @@ def test_an_arc_bows_in_both_faces_and_a_hand_in_one():
     hand = seen_in(bowed_box((0, 1)), hand=6.0)["bend"]
     arc = seen_in(bowed_box((0, 1), (4, 5)), hand=6.0)["bend"]
     assert hand < 0.02 < 0.04 < arc
+
+
+def test_a_table_runs_in_two_directions_and_a_box_seen_nearly_along_a_face_does_not():
+    table = Rings((SQUARE,), (SQUARE + [0.0, 60],))
+    assert is_crosswise(table, 0.5)
+    assert is_crosswise(Rings((SQUARE + [[0.0, 0.5], [0, -0.5], [0, 0.5], [0, 0]],), table.back), 0.5)
+    turn = np.array([[0.8, 0.6], [-0.6, 0.8]])
+    assert is_crosswise(Rings((SQUARE @ turn,), (table.back[0] @ turn,)), 0.5)
+    assert not is_crosswise(Rings((SQUARE,), (SQUARE + [6.0, 60],)), 0.5)
+    assert not is_crosswise(Rings((SQUARE,), (SQUARE + DEPTH,)), 0.5)
