@@ -24,18 +24,20 @@ FEWEST = 5
 """Lines of a hatching, at least ..."""
 CLOSEST = 2.0
 """... their usual distance in pens, at least: closer ones are an area, see `without_hatching` ..."""
-FARTHEST = 0.1
+FARTHEST = 0.07
 """... their greatest distance as a share of the diagonal of the ink ..."""
-SLENDER, WIDE = 1.2, 0.4
-"""... and as a share of their length, if it is no more than the next share of the diagonal, and if it is more ..."""
-USUALLY = 0.07
-"""... and that share ..."""
+WIDE = 1.5
+"""... or so many times as far ..."""
+SLENDER = 1.2
+"""... and as a share of their length ..."""
 LONGEST = 2.0
 """... the greatest length of one, in lengths of the longer one beside it: an edge may run on in a line ..."""
-LEAST = 0.25
+LEAST = 0.35
 """... their least length as a share of FARTHEST ..."""
 EVEN = 2.0
 """... and the greatest ratio between two distances in a row."""
+WIDELY_EVEN = 1.3
+"""The same of those that are so far apart."""
 MOST_EVEN = 0.7
 """Share of the lines that are so."""
 MANY = 14
@@ -60,7 +62,7 @@ PASSED = 4.5
 """A line that passes an end goes on for so many pens on both sides ..."""
 INKED = 0.85
 """... with ink on at least this share of them."""
-CORNER = 0.2
+CORNER = 0.3
 """Ends of two lines that are this close, as a share of FARTHEST, are a corner with a gap."""
 
 
@@ -75,7 +77,7 @@ def without_hatch_lines(mask: Bools) -> Bools:
         return mask
     part = ink[y : y + h, x : x + w]
     farthest = FARTHEST * float(np.hypot(w, h))
-    if not any(_has_even_gaps(rows, farthest) for rows in (part[::SCANNED], part[:, ::SCANNED].T)):
+    if not any(_has_even_gaps(rows, WIDE * farthest) for rows in (part[::SCANNED], part[:, ::SCANNED].T)):
         return mask
     from skimage.morphology import skeletonize
 
@@ -208,14 +210,20 @@ def _neighbours(lines: Lines, pen: float, farthest: float) -> _Neighbours:
     beside = 0.5 * (length[:, None] + length) - along > OVERLAP * shorter
     parallel = np.abs(axis @ axis.T) > np.cos(PARALLEL)
     apart = np.minimum(np.abs(across), np.abs(across.T))
-    usual = USUALLY / FARTHEST * farthest
-    most = np.maximum(np.minimum(usual, SLENDER * shorter), np.minimum(farthest, WIDE * shorter))
-    near = parallel & beside & (apart > 1.2 * pen) & (apart < most)
+    near = parallel & beside & (apart > 1.2 * pen) & (apart < np.minimum(farthest, SLENDER * shorter))
     return _Neighbours(apart, across, near)
 
 
 def _hatching(lines: Lines, ink: Gray, pen: float, farthest: float) -> Bools:
     """(n,) whether each line belongs to a hatching."""
+    return _ruled(lines, ink, pen, farthest) | _ruled(lines, ink, pen, WIDE * farthest, wide=True)
+
+
+def _ruled(lines: Lines, ink: Gray, pen: float, farthest: float, *, wide: bool = False) -> Bools:
+    """(n,) whether each line belongs to a hatching of lines that are no farther apart than so many pixels.
+
+    wide : whether they are nearly as far apart, and all at one distance: edges are at any
+    """
     result = np.zeros(len(lines.arcs), np.bool_)
     beside = _neighbours(lines, pen, farthest)
     many = [group for group in _groups(beside.near) if len(group) >= FEWEST]
@@ -230,28 +238,29 @@ def _hatching(lines: Lines, ink: Gray, pen: float, farthest: float) -> Bools:
     longest = LONGEST * np.where(linked, length, 0.0).max(axis=1)
     for found in _groups(linked):
         group = [k for k in _alike(lines.axis, found) if length[k] < longest[k]]
-        if len(group) < FEWEST:
-            continue
-        gaps = np.where(linked, beside.apart, np.inf)[np.ix_(group, group)].min(axis=1)
+        gaps = np.where(linked, beside.apart, np.inf)[np.ix_(group, group)].min(axis=1, initial=np.inf)
         known = gaps[np.isfinite(gaps)]
-        if len(known) and (len(group) >= MANY or _are_even(gaps)) and np.median(gaps) > CLOSEST * pen:
-            spacing = float(np.median(gaps))
+        if len(group) < FEWEST or not len(known):
+            continue
+        spacing = float(np.median(known))
+        regular = _are_even(gaps, WIDELY_EVEN) if wide else len(group) >= MANY or _are_even(gaps, EVEN)
+        if regular and spacing > (farthest / WIDE if wide else CLOSEST * pen):
             every = np.zeros_like(result)
             every[group] = True
             every |= _stragglers(lines, beside.near, loose, group, spacing)
-            result |= every & ~_on_rim(beside, length, RIM * float(np.quantile(known, USUAL)))
+            result |= every & ~_on_rim(beside, lines, RIM * float(np.quantile(known, USUAL)))
     return result
 
 
-def _on_rim(beside: _Neighbours, length: Floats, far: float) -> Bools:
-    """(n,) lines without others on both sides, that are no shorter: a hatching ends at an edge, or in a corner.
+def _on_rim(beside: _Neighbours, lines: Lines, far: float) -> Bools:
+    """(n,) lines without others on both sides, that are no shorter and touch something: a hatching ends at an edge.
 
     far : pixels beyond which a line has none
     """
     near = beside.near & (beside.apart < far)
     left, right = near & (beside.across < 0), near & (beside.across > 0)
-    longest = np.where(near, length, 0.0).max(axis=1)
-    return np.asarray(~(left.any(axis=1) & right.any(axis=1)) & (length > SHORTER * longest))
+    shorter = lines.length <= SHORTER * np.where(near, lines.length, 0.0).max(axis=1)
+    return np.asarray(~(left.any(axis=1) & right.any(axis=1)) & ~shorter & ~lines.free.all(axis=1))
 
 
 def _stragglers(lines: Lines, near: Bools, loose: Ints, group: list[int], spacing: float) -> Bools:
@@ -307,10 +316,10 @@ def _alike(axis: Floats, lines: list[int], like: list[int] | None = None) -> lis
     return [k for k in lines if off[k] < sway]
 
 
-def _are_even(gaps: Floats) -> bool:
-    """Most lines are as far from the next one as usual."""
+def _are_even(gaps: Floats, even: float) -> bool:
+    """Most lines are as far from the next one as usual, to a factor."""
     middle = float(np.median(gaps))
-    return bool(np.mean((gaps > middle / EVEN) & (gaps < EVEN * middle)) > MOST_EVEN)
+    return bool(np.mean((gaps > middle / even) & (gaps < even * middle)) > MOST_EVEN)
 
 
 def _ink_of(gone: Bools, kept: Bools, pen: float) -> Bools:

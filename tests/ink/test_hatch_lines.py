@@ -57,7 +57,7 @@ def test_lines_leave_no_stubs_at_the_edges_they_ended_on() -> None:
 
 @pytest.mark.parametrize(("count", "goes"), [(MANY + 2, True), (MANY - 2, False)])
 def test_many_lines_need_not_be_even(monkeypatch: pytest.MonkeyPatch, count: int, goes: bool) -> None:
-    monkeypatch.setattr("sketch2shape.ink.hatch_lines._are_even", lambda _: False)
+    monkeypatch.setattr("sketch2shape.ink.hatch_lines._are_even", lambda *_: False)
     lines = np.zeros(SHAPE, np.uint8)
     for k in range(count):
         cv2.line(lines, (125 + 14 * k, 225), (130 + 14 * k, 320), 1, 2)
