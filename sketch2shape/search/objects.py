@@ -83,9 +83,9 @@ def _find_groups(ink: Ink) -> list[AnyFound]:
         if best is not None and (_is_answer(best) or not found):
             found.append(best.shifted(group.offset))
             found.sort(key=lambda f: -_is_answer(f) * f.size)
-    if len(found) > 1:
-        found = [f for f in found if _is_answer(f)] or found[:1]
-    return found
+    # beside a likely object an unlikely one is writing
+    likely = [f for f in found if f.confidence >= EVEN_ODDS]
+    return likely or [f for f in found if _is_answer(f)] or found[:1]
 
 
 def _is_answer(found: AnyFound) -> bool:
