@@ -58,7 +58,13 @@ def test_an_answer_that_is_refused_is_in_vain_too_and_the_first_is_kept(sheet):
 def test_a_refused_answer_gives_way_to_one_that_is_not(sheet):
     assert sheet((100, LOW), (90, 0.9))[0] == [0.9]
     assert sheet((100, 0.9), (90, LOW))[0] == [0.9]
-    assert sheet((100, REFUSE_BELOW), (90, 0.9))[0] == [REFUSE_BELOW, 0.9]
+
+
+def test_beside_a_likely_object_an_unlikely_one_is_none(sheet):
+    assert sheet((100, REFUSE_BELOW), (90, 0.9))[0] == [0.9]
+    assert sheet((100, 0.9), (90, 0.4))[0] == [0.9]
+    assert sheet((100, 0.9), (90, 0.6))[0] == [0.9, 0.6]
+    assert sheet((100, 0.4), (90, 0.3))[0] == [0.4, 0.3]
 
 
 def test_what_is_far_smaller_than_the_first_object_is_a_letter(sheet):
@@ -151,18 +157,3 @@ def test_a_pyramid_that_may_be_a_prism_is_read_as_one():
     assert found.confidence > 0.8
     assert found.sweep.way.is_pointed
     assert np.hypot(*(found.sweep.way.centre - apex)) < 3
-
-
-@pytest.mark.parametrize(
-    ("confidences", "kept"), [((0.95, 0.4), 1), ((0.95, 0.6), 2), ((0.4, 0.3), 2), ((0.4, 0.05), 1), ((0.05, 0.04), 1)]
-)
-def test_beside_a_likely_object_an_unlikely_one_is_none(monkeypatch, confidences, kept):
-    class Answer(SimpleNamespace):
-        def shifted(self, _):
-            return self
-
-    groups = [SimpleNamespace(size=100.0, offset=None, told=Answer(confidence=c, size=100.0)) for c in confidences]
-    monkeypatch.setattr(objects, "split_groups", lambda _: groups)
-    monkeypatch.setattr(objects, "find_one", lambda group: group.told)
-    found = objects._find_groups(None)
-    assert [f.confidence for f in found] == list(confidences[:kept])
