@@ -68,6 +68,10 @@ def _but_the_last(*how: Any) -> Any:
     return tolerances.rounds_for(*how)[:-1]
 
 
+def _everywhere(points: Any, _: Any) -> Any:
+    return np.ones(points.shape[:-1], np.bool_)
+
+
 def _all_simple(polygons: Any) -> Any:
     return np.ones(len(polygons), np.bool_)
 
@@ -100,7 +104,10 @@ MECHANISMS = (
     Mechanism("hidden vertices on the plainest map", _in("search.search", with_hidden=_first)),
     Mechanism("tips ahead of where strokes run into one", _in("hypotheses.opaque", _with_tips=_first_two)),
     Mechanism("edges cut off by the border", _in("search.objects", closed_at_border=_always(None))),
-    Mechanism("edges go on beyond the border", _in("ink.groups", cut_off=_always(None))),
+    Mechanism(
+        "edges go on beyond the border",
+        _in("evidence.score", in_picture=_everywhere) | _in("evidence.energy", in_picture=_everywhere),
+    ),
     Mechanism("early rounds for wireframes alone", _in("search.attempts", _early=_always([]))),
     Mechanism("a close look", _in("search.attempts", BENT=np.inf, STEADY=0.0)),
     Mechanism("fine rounds later where lines are known", _in("search.attempts", _likely_first=_first)),
