@@ -101,13 +101,14 @@ def _above(known: Found | None, looks: Looks, view: View, found: list[Found]) ->
 
 def _looked_at_again(best: Found, looks: Looks, view: View, found: list[Found]) -> Found:
     """A trusted answer, or a cheaper one with more vertices, with one elsewhere, exchanged or left out."""
-    nothing, known = _leaves_nothing(best), len(found)
+    nothing = _leaves_nothing(best)
     if not nothing:
         _search(grown_attempts(looks, (best.rings, best.evidence)), view, found)
     found += climb(found, looks, view, 1, closely=nothing)
-    if len(found) == known:
+    cheapest = best_of(found)
+    if cheapest is None or cheapest.rings is best.rings:
         return best
-    other = _told(best_of(found))
+    other = _told(cheapest)
     return other if other is not None and _is_cheaper(other, best) else best
 
 
