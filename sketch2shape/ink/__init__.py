@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketch2shape.ink.cropped import closed_at_border, cut_off
+from sketch2shape.ink.cropped import closed_at_border
 from sketch2shape.ink.depth import depth_of
 from sketch2shape.ink.drawn_lines import drawn, is_ruled, strokes_of
 from sketch2shape.ink.enlarged import enlarged
@@ -12,7 +12,6 @@ from sketch2shape.ink.groups import Group, split_groups
 __all__ = [
     "Group",
     "closed_at_border",
-    "cut_off",
     "depth_of",
     "drawn",
     "enlarged",

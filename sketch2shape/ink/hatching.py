@@ -96,19 +96,21 @@ def _hatched(ink: Gray, area: Gray, inner: Bools, spacing: float) -> tuple[list[
     inner : (h, w) the area without its outline, of which a narrow one is mostly made
     """
     inside = cv2.erode(area, np.ones((7, 7), np.uint8)) > 0
+    soft = cv2.GaussianBlur(ink * np.uint8(255), (3, 3), 0)
+    gradients = [np.asarray(cv2.Sobel(soft, cv2.CV_32F, i, 1 - i), dtype=np.float64) for i in (1, 0)]
     for part in (inside, inner):
-        angle = _direction(ink, part)
+        angle = _direction(*(plane[part] for plane in gradients))
         if angle is not None:
             return [angle], _even_lines(ink, area, angle, spacing)
     lines = _lines_of_cells(ink, inside, spacing)
     return (_two_directions(ink, inside, CROSSED * spacing), lines) if lines else ([], 0)
 
 
-def _direction(ink: Gray, inside: Bools) -> float | None:
-    """Angle of the lines in an area, radians, from the structure tensor; None if they have no common direction."""
-    soft = cv2.GaussianBlur(ink * np.uint8(255), (3, 3), 0)
-    gx = np.asarray(cv2.Sobel(soft, cv2.CV_32F, 1, 0), dtype=np.float64)[inside]
-    gy = np.asarray(cv2.Sobel(soft, cv2.CV_32F, 0, 1), dtype=np.float64)[inside]
+def _direction(gx: Floats, gy: Floats) -> float | None:
+    """Angle of the lines in an area, radians, from the structure tensor; None if they have no common direction.
+
+    gx, gy : (k,) gradients of the ink at its pixels
+    """
     xx, yy, xy = float(gx @ gx), float(gy @ gy), float(gx @ gy)
     if np.hypot(xx - yy, 2 * xy) < COHERENCE * (xx + yy) or xx + yy == 0.0:
         return None

@@ -20,6 +20,9 @@ _LONG = 0.3
 #: against the page being held askew
 _LEVEL, _LEVEL_CROSSED, _ASKEW = 0.97, 0.996, 1.0
 
+#: what is drawn within so many standard deviations of the plumb, and this angle more, radians, is plumb
+_SPREADS, _PLUMB = 3.0, math.radians(1.0)
+
 #: angles at which receding edges of an oblique drawing rise, radians, and how likely it is that each of them is used
 _RECEDING = {math.pi / 6: 0.12, math.pi / 4: 0.28, math.pi / 3: 0.1}
 
@@ -60,13 +63,13 @@ def level_odds(relations: Relations, angle: Floats, spread: Floats, toward: Floa
     if not len(angle):
         return 0.0
     off: Floats = between(angle, np.zeros(1))
-    upright = bool((np.pi / 2 - off < 3.0 * spread + np.deg2rad(1.0)).any())
+    upright = bool((np.pi / 2 - off < _SPREADS * spread + _PLUMB).any())
     off[relations.lengths < _LONG * relations.lengths.max()] = np.pi / 2
     belief = _LEVEL_CROSSED if len(relations.edges) == 2 else _LEVEL
     if relations.rows.shape[1] == 3 and not upright:
         belief = 0.6  # a triangle often stands on its tip
     exact = log_odds(off, np.hypot(spread, np.deg2rad(0.5)), belief, np.pi / 2)
-    if upright or abs(toward[0]) < math.sin(3.0 * wobble + math.radians(1.0)):
+    if upright or abs(toward[0]) < math.sin(_SPREADS * wobble + _PLUMB):
         return float(exact.max())
     askew = log_odds(off, np.hypot(spread, np.deg2rad(4.0)), belief, np.pi / 2)
     return float(max(exact.max(), askew.max() - _ASKEW))

@@ -7,7 +7,8 @@ import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, paper, prism
 
 from sketch2shape.evidence import REFUSE_BELOW
-from sketch2shape.ink import closed_at_border, cut_off
+from sketch2shape.ink import closed_at_border
+from sketch2shape.ink.cropped import cut_off
 from sketch2shape.search import find_all
 
 BOX = prism(SQUARE, SQUARE + DEPTH, "removed", 4)

@@ -48,6 +48,16 @@ def test_wide_hatching_goes_and_the_edges_stay(angle: float, spacing: float, swa
     assert left(result, box) > 0.97
 
 
+def test_lines_far_apart_go_if_all_are_at_one_distance() -> None:
+    frame = cv2.rectangle(np.zeros(SHAPE, np.uint8), (98, 100), (362, 380), 1, 2)
+    lines = np.zeros(SHAPE, np.uint8)
+    for k in range(7):
+        cv2.line(lines, (130 + 33 * k, 100), (130 + 33 * k, 300), 1, 2)
+    result = without_hatch_lines((frame | lines) > 0)
+    assert left(result, lines & ~cv2.dilate(frame, np.ones((9, 9), np.uint8))) < 0.35  # the outermost ones may be edges
+    assert left(result, frame) > 0.97
+
+
 def test_lines_leave_no_stubs_at_the_edges_they_ended_on() -> None:
     box = outline()
     result = without_hatch_lines((box | hatching(55, 22)) > 0)
@@ -73,6 +83,18 @@ def test_an_edge_along_which_the_lines_run_stays() -> None:
     result = without_hatch_lines((box | lines) > 0)
     assert left(result, lines & ~cv2.dilate(box, np.ones((9, 9), np.uint8))) < 0.15
     assert left(result, box) > 0.98
+
+
+def test_the_last_line_of_a_hatching_that_ends_on_others_may_be_an_edge() -> None:
+    frame, lines = np.zeros(SHAPE, np.uint8), np.zeros(SHAPE, np.uint8)
+    for x in (100, 400):
+        cv2.line(frame, (x, 60), (x, 440), 1, 3)
+    edges = cv2.line(cv2.line(np.zeros(SHAPE, np.uint8), (100, 100), (400, 100), 1, 3), (100, 300), (400, 300), 1, 3)
+    for y in range(120, 300, 20):
+        cv2.line(lines, (100, y), (400, y), 1, 2)
+    result = without_hatch_lines((frame | edges | lines) > 0)
+    assert left(result, edges) > 0.98
+    assert left(result, lines & ~cv2.dilate(frame, np.ones((9, 9), np.uint8))) < 0.05
 
 
 def test_the_same_however_it_is_turned() -> None:

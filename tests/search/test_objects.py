@@ -67,6 +67,17 @@ def test_beside_a_likely_object_an_unlikely_one_is_none(sheet):
     assert sheet((100, 0.4), (90, 0.3))[0] == [0.4, 0.3]
 
 
+@pytest.mark.parametrize(
+    ("first", "closed", "taken"), [(0.3, 0.8, 0.8), (0.3, 0.4, 0.3), (0.7, 0.9, 0.7), (0.0, 0.6, 0.6)]
+)
+def test_where_no_answer_is_likely_the_border_is_drawn_too(monkeypatch, first, closed, taken):
+    found = {"open": [SimpleNamespace(confidence=first)], "closed": [SimpleNamespace(confidence=closed)]}
+    monkeypatch.setattr(objects, "find_exact", lambda _: None)
+    monkeypatch.setattr(objects, "closed_at_border", lambda _: "closed")
+    monkeypatch.setattr(objects, "_find_groups", lambda ink: found[ink])
+    assert [f.confidence for f in objects.find_all("open")] == [taken]
+
+
 def test_what_is_far_smaller_than_the_first_object_is_a_letter(sheet):
     least = 100 * objects.LEAST_COMPANION
     assert sheet((100, 0.9), (least, 0.8), (least - 1, 0.7)) == ([0.9, 0.8], [100, least])

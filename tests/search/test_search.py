@@ -270,6 +270,14 @@ def test_a_face_with_nothing_behind_it_is_no_object():
     assert _told(face).confidence < REFUSE_BELOW
 
 
+def test_a_table_is_no_object_however_well_it_is_explained(monkeypatch):
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
+    box = find(observed(group))
+    assert _told(box).confidence > TRUSTED
+    monkeypatch.setattr(search, "is_crosswise", lambda rings, noise: rings is box.rings and noise == box.energy.noise)
+    assert _told(box).confidence < REFUSE_BELOW
+
+
 def test_rivals_make_an_answer_doubtful_but_not_none(monkeypatch):
     (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
     box = find(observed(group))
