@@ -31,6 +31,9 @@ from sketch2shape.model.drawing import FacePair, TwoFaceObject
 from sketch2shape.model.solid import Solid
 from sketch2shape.solids import tessellated
 
+#: headings of the part that is written by hand, and of what follows it
+_BY_HAND, _AFTER = "## What nothing fixes", "## How often"
+
 NOISES = (0.0, 0.5, 1.0, 2.0)
 #: times that noise is added anew to each drawing
 DRAWS = 5
@@ -78,7 +81,17 @@ def main() -> None:
     if args.page and parts:
         page = Path(args.page)
         page.parent.mkdir(parents=True, exist_ok=True)
-        page.write_text(_HEAD.replace("{gallery}", gallery()).replace("{round}", table(40, 1)) + "\n".join(parts))
+        made = {"{gallery}": gallery(), "{by hand}": by_hand(page), "{round}": table(40, 1)}
+        head = _HEAD
+        for place, text in made.items():
+            head = head.replace(place, text)
+        page.write_text(head + "\n".join(parts))
+
+
+def by_hand(page: Path) -> str:
+    """The part of the page that is written by hand, kept as it is; none if there is no page yet."""
+    before, found, after = (page.read_text() if page.exists() else "").partition(_BY_HAND)
+    return found + after.partition(_AFTER)[0] if found else ""
 
 
 def _arguments() -> argparse.Namespace:
@@ -241,7 +254,7 @@ is the cosine of the slant, its shorter axis runs along the connecting edges.
 Made by `python scripts/lifting_gallery.py`. Sizes are width x height x depth, pixels.
 
 {gallery}
-## How often
+{by hand}## How often
 
 Written by `python scripts/evaluate_lifting.py`. The vertices of each drawing are taken from its truth, so that only
 the step from the flat object to the solid is measured; normal noise is added to every coordinate, five times anew.

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from loaded import loaded
 
 SCRIPTS = Path(__file__).parent.parent / "scripts"
 
@@ -18,3 +19,11 @@ def test_a_script_finds_what_it_imports(name, tmp_path):
     )
     assert ran.returncode == 0, ran.stderr
     assert "usage:" in ran.stdout
+
+
+def test_what_is_written_by_hand_stays_when_the_page_of_the_lifting_is_written_anew(tmp_path):
+    evaluate_lifting = loaded("evaluate_lifting")
+    page = tmp_path / "page.md"
+    assert evaluate_lifting.by_hand(page) == ""
+    page.write_text("## Made\n\na\n\n## What nothing fixes\n\nb\n\n## How often\n\nc\n")
+    assert evaluate_lifting.by_hand(page) == "## What nothing fixes\n\nb\n\n"
