@@ -90,7 +90,7 @@ def main() -> None:
 
 def by_hand(page: Path) -> str:
     """The part of the page that is written by hand, kept as it is; none if there is no page yet."""
-    before, found, after = (page.read_text() if page.exists() else "").partition(_BY_HAND)
+    _, found, after = (page.read_text() if page.exists() else "").partition(_BY_HAND)
     return found + after.partition(_AFTER)[0] if found else ""
 
 
