@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sketch2shape.evidence.overlaps import coincidences
 from sketch2shape.evidence.score import grown
@@ -44,6 +45,8 @@ LIKELY_HOLE = 12.0
 """Nats by which a closed line inside a face is likelier a hole than a foreign stroke."""
 LEAST_DRAWN = 2
 """Back vertices that have to be drawn to tell the plane map."""
+LEAST_DIGIT = float(np.log(2.0))
+"""Nats of a coordinate at least."""
 STEADY = 2.5
 """Noise of the best explanation over the hand's own up to which more noise is a reason at all."""
 ROUGH, THICK = 4.0, 0.3
@@ -146,8 +149,9 @@ class Comparison:
     def _priced(self, noise: float) -> Energy:
         near = self.off <= near_line(noise)
         missing, bare = float(self.wanted[~near].sum()), float(self.hidden[~near].sum())
-        digit = float(np.log(max(self.view.size / noise, 2.0)))
-        (r1, f1), (r2, f2) = self._ink(self.every, noise), self._ink(self.seen, noise)
+        digit = max(float(np.log(self.view.size / noise)), LEAST_DIGIT)
+        r1, f1 = self._ink(self.every, noise)
+        r2, f2 = (r1, f1) if self.seen is self.every else self._ink(self.seen, noise)
         ways: list[tuple[float, float, float, Lines]] = [
             (MISSING * bare, r1, f1, "wire"),
             (DASHED * float(self.hidden.sum()), r1, f1, "dashed"),
@@ -194,51 +198,85 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     shows = True if view.cut is None else in_picture(samples[0], view.cut)
     wanted = np.where((depth == 0) & shows, MISSING * each * np.where(end, GAP_PRICE, 1.0), 0.0)
     hidden = (depth == 2) & shows
-    every = nearest_to_ink(view, a, span)
-    seen = nearest_to_ink(view, a, span, ~hidden) if hidden.any() else every
+    every, seen = _nearest_to_ink(view, a, span, ~hidden)
     m = len(v) // 2
     reach = max(LEAST_APART, APART * view.pen)
     laid = coincidences(a, span, lengths + 1e-9, np.asarray((depth == 0).mean(axis=1)), reach)
     off = interpolated(view.skeleton.distance, samples[0])
-    misses = _misses(v[:m], v[m:], drawn)
+    misses = _misses(v[:m], v[m:], drawn, view)
     holes = len(rings.sizes) - 1
     return Comparison(view, lengths, off, wanted, hidden * each, every, seen, misses, m, laid, holes)
 
 
-def nearest_to_ink(view: View, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:
-    """The same as `nearest_edges` for the ink of a drawing, where any line through a blot runs on it."""
-    distance, edge = nearest_edges(view.points, a, span, shown)
+_Nearest: TypeAlias = tuple[Floats, Ints]
+"""(k,) distances, pixels, and (k,) edges."""
+
+
+def _nearest_to_ink(view: View, a: Floats, span: Floats, shown: Bools) -> tuple[_Nearest, _Nearest]:
+    """The same as `nearest_edges` for the ink of a drawing, and for the shown parts of the edges alone.
+
+    shown : (e, n) bool, which of n equal parts of each edge are
+
+    Any line through a blot runs on the ink there.
+    """
+    squares, t = _squares(view.points, a, span)
+    every = _on_ink(view, *_nearest(squares))
+    return every, every if shown.all() else _on_ink(view, *_nearest(_of_shown(squares, t, shown)))
+
+
+def _on_ink(view: View, distance: Floats, edge: Ints) -> _Nearest:
+    """With the distances less what any line may run beside the ink."""
     return np.maximum(distance - view.slack, 0.0), edge
 
 
-def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> tuple[Floats, Ints]:
+def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None = None) -> _Nearest:
     """(k,) distance of each point to the nearest shown part of an edge, pixels, and (k,) that edge.
 
     a, span : (e, 2) float, where each edge begins and the way to its end
     shown   : (e, n) bool, which of n equal parts of each edge are shown; None: all
     """
-    some = np.arange(len(a)) if shown is None else np.flatnonzero(shown.any(axis=1))
-    if not len(some):
-        return np.full(len(points), np.inf), np.zeros(len(points), np.intp)
-    (px, py), (ax, ay), (sx, sy) = (
-        points.T.astype(np.float32),
-        a[some].T.astype(np.float32),
-        span[some].T.astype(np.float32),
-    )
+    squares, t = _squares(points, a, span)
+    return _nearest(squares if shown is None else _of_shown(squares, t, shown))
+
+
+def _of_shown(squares: NDArray[np.float32], t: NDArray[np.float32], shown: Bools) -> NDArray[np.float32]:
+    """The squares, infinite where the nearest place of an edge is not shown."""
+    n = shown.shape[1]
+    part = np.minimum((t * n).astype(np.intp), n - 1) + np.arange(0, shown.size, n)
+    squares[~shown.ravel().take(part)] = np.inf
+    return squares
+
+
+def _squares(points: Floats, a: Floats, span: Floats) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """(k, e) squares of the distances of points from edges, and how far along each, 0..1, the nearest place is."""
+    (px, py), (ax, ay), (sx, sy) = (both.T.astype(np.float32) for both in (points, a, span))
     dx, dy = px[:, None] - ax, py[:, None] - ay
-    t = np.clip((dx * sx + dy * sy) / (sx * sx + sy * sy + np.float32(1e-9)), 0.0, 1.0)
-    squares = (dx - t * sx) ** 2 + (dy - t * sy) ** 2
-    if shown is not None:
-        part = np.minimum((t * shown.shape[1]).astype(np.intp), shown.shape[1] - 1)
-        squares[~shown[some][np.arange(len(some)), part]] = np.inf
+    t = dx * sx
+    t += dy * sy
+    t /= sx * sx + sy * sy + np.float32(1e-9)
+    np.minimum(np.maximum(t, 0.0, out=t), 1.0, out=t)
+    dx -= t * sx
+    dy -= t * sy
+    dx *= dx
+    dy *= dy
+    dx += dy
+    return dx, t
+
+
+def _nearest(squares: NDArray[np.float32]) -> _Nearest:
+    """The least of the squares (k, e) of each point's distances."""
     nearest = squares.argmin(axis=1)
-    return np.sqrt(squares[np.arange(len(squares)), nearest]).astype(float), some[nearest]
+    return np.sqrt(squares[np.arange(len(squares)), nearest]).astype(float), nearest
 
 
 def map_price(numbers: int, off: Floats, noise: float, digit: float, size: float) -> float:
     """Nats for a plane map of so many numbers, and for what misses it: off (k,), pixels."""
-    slack = 1.5 * noise + CARELESS * size
-    return numbers * digit + float(np.minimum(0.5 * (off / slack) ** 2, 2 * digit).sum())
+    return numbers * digit + float(np.minimum(0.5 * (off / _slack(noise, size)) ** 2, 2 * digit).sum())
+
+
+def _slack(noise: float, size: float) -> float:
+    """Pixels by which a hand of this noise misses a plane map."""
+    return 1.5 * noise + CARELESS * size
 
 
 def with_hidden(rings: Rings, drawn: Bools, energy: Energy, size: float) -> Rings:
@@ -260,8 +298,15 @@ def with_hidden(rings: Rings, drawn: Bools, energy: Energy, size: float) -> Ring
     return split(v, rings.sizes)
 
 
-def _misses(front: Floats, back: Floats, drawn: Bools) -> tuple[tuple[int, Floats], ...]:
-    return tuple((p, np.hypot(o[:, 0], o[:, 1])) for p, _, o in _maps(front, back, drawn))
+def _misses(front: Floats, back: Floats, drawn: Bools, view: View) -> tuple[tuple[int, Floats], ...]:
+    """See `Comparison.misses`; no richer map where one misses less, under any hand, than one more number costs."""
+    told: list[tuple[int, Floats]] = []
+    for numbers, _, misses in _maps(front, back, drawn):
+        off = np.hypot(misses[:, 0], misses[:, 1])
+        told.append((numbers, off))
+        if 0.5 * float(((off / _slack(view.noises[0], view.size)) ** 2).sum()) < LEAST_DIGIT:
+            break
+    return tuple(told)
 
 
 def _maps(front: Floats, back: Floats, drawn: Bools) -> Iterator[tuple[int, Floats, Floats]]:

@@ -117,8 +117,10 @@ def _following(paths: list[NDArray[Any]], pen: float) -> Ints:
     if not 0 < len(paths) <= MOST_LINKED:
         return none
     near = round(AHEAD * pen) + 1
-    ends = np.array([(p[0], p[-1]) for p in paths], float)
-    inner = np.array([(p[min(near, len(p) - 1)], p[max(len(p) - 1 - near, 0)]) for p in paths], float)
+    points, last = np.concatenate(paths).astype(float), np.cumsum([len(p) for p in paths]) - 1
+    first = np.append(0, last[:-1] + 1)
+    ends = np.stack([points[first], points[last]], axis=1)
+    inner = np.stack([points[np.minimum(first + near, last)], points[np.maximum(last - near, first)]], axis=1)
     out = (ends - inner).reshape(-1, 2)
     out /= np.hypot(*out.T)[:, None] + 1e-9
     at = ends.reshape(-1, 2)

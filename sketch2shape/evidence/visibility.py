@@ -7,6 +7,8 @@ The way is looked up at a few samples; a connecting edge, whose samples share on
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -53,6 +55,23 @@ def hidden_depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.ui
     margin : pixels. What lies deeper than this behind the outline is surely hidden; what is shallower may be a matter
              of the pen
     """
+    if len(stacked) > 1:
+        return _depth(stacked, points, margin)
+    # the answer of a search is judged, and then held against the drawing
+    return _depth_of_one(stacked.vertices.tobytes(), stacked.sizes, margin)
+
+
+@lru_cache(maxsize=4)
+def _depth_of_one(vertices: bytes, sizes: tuple[int, ...], margin: float) -> NDArray[np.uint8]:
+    """`hidden_depth` of one hypothesis; read-only."""
+    one = Stack(np.frombuffer(vertices).reshape(1, -1, 2), sizes)
+    depth = _depth(one, edge_samples(one), margin)
+    depth.flags.writeable = False
+    return depth
+
+
+def _depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.uint8]:
+    """See `hidden_depth`."""
     v, fronts, backs = stacked.vertices, stacked.frame.fronts, stacked.frame.backs
     low = np.floor(v.min(axis=1)) - 3
     high = np.ceil(v.max(axis=1)) + 3

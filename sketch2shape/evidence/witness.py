@@ -8,7 +8,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges, nearest_to_ink
+from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges
 from sketch2shape.evidence.overlaps import HALF, ONE_WAY, PLACES, beside
 from sketch2shape.evidence.score import Evidence
 from sketch2shape.evidence.view import MOSTLY, View
@@ -59,7 +59,7 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
     v, edges = rings.vertices, frame(rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
-    distance, edge = nearest_to_ink(view, a, span)
+    distance, edge = compared.every
     reach = near_line(energy.noise)
     left = distance > reach
     ink = float(view.length.sum()) + 1e-9
@@ -88,12 +88,16 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
 
 def attached(view: View, left: Bools, distance: Floats, size: float) -> float:
     """Length of unexplained paths that touch the object, pixels."""
+    if not left.any():
+        return 0.0
     touching = np.unique(view.path[left & (distance < TOUCHING * size)])
     return float(view.length[left & np.isin(view.path, touching)].sum())
 
 
 def closed(view: View, left: Bools) -> float:
     """Square root of the area that unexplained ink encloses by itself, pixels."""
+    if not left.any():
+        return 0.0
     raster = np.zeros(view.skeleton.mask.shape, np.uint8)
     mine = np.unique(view.path[left])
     share = np.bincount(view.path, left, minlength=int(view.path.max(initial=0)) + 1) / np.maximum(
@@ -195,5 +199,7 @@ def is_crosswise(rings: Rings, noise: float) -> bool:
 def doubled(a: Floats, span: Floats, length: Floats, shown: Floats, reach: float) -> float:
     """Fraction of the length of what is seen of edges (shown: (e,), fraction of each) that lies along another."""
     laid = beside(a, span, length, reach) & (shown > HALF)
+    if not laid.any():
+        return 0.0
     seen = length * shown
     return float((laid.any(axis=2).mean(axis=1) * seen).sum() / (seen.sum() + 1e-9))

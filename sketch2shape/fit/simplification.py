@@ -117,12 +117,12 @@ def _replaced(rings: Rings, k: int, front: Floats, back: Floats) -> Rings:
 
 def turns(ring: Floats) -> Floats:
     """(n,) float, by how much a ring turns at each vertex, radians."""
-    after = np.roll(ring, -1, axis=0) - ring
-    u, v = np.roll(after, 1, axis=0), after
+    v = np.concatenate([ring[1:], ring[:1]]) - ring
+    u = np.concatenate([v[-1:], v[:-1]])
     return np.asarray(np.abs(np.arctan2(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0], (u * v).sum(axis=1))))
 
 
 def _edge_lengths(ring: Floats) -> Floats:
     """(n,) float, pixels, of the edge from each vertex to the next."""
-    way = np.roll(ring, -1, axis=0) - ring
+    way = np.concatenate([ring[1:], ring[:1]]) - ring
     return np.asarray(np.hypot(way[:, 0], way[:, 1]))

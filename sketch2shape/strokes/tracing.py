@@ -10,6 +10,7 @@ may have strayed from a straight line.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import cv2
@@ -43,7 +44,7 @@ class Strokes(Brief):
     inked: Floats
     tolerance: float
 
-    @property
+    @cached_property
     def lengths(self) -> Floats:
         """(k,) float, pixels."""
         return np.asarray(np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1))

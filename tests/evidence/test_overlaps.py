@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.evidence.overlaps import beside, coincidences
+from sketch2shape.evidence.overlaps import ONE_WAY, PLACES, beside, coincidences
 
 
 def told(*ends, seen=None, reach=2.0):
@@ -15,6 +15,19 @@ def told(*ends, seen=None, reach=2.0):
 
 
 LONG = ((0, 0), (100, 0))
+
+
+def test_pairs_that_are_told_apart_by_their_ends_would_not_lie_along_each_other():
+    rng = np.random.default_rng(4)
+    a, angle = rng.uniform(0, 60, (40, 2)), rng.choice([0.0, 0.05, 1.5], 40) + rng.normal(0, 0.01, 40)
+    length = rng.uniform(5, 60, 40)
+    u = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    to = (a[:, None] + PLACES * (length[:, None] * u)[:, None])[:, :, None] - a
+    along, across = (to * u).sum(axis=3), np.abs(to[..., 0] * u[:, 1] - to[..., 1] * u[:, 0])
+    alike = np.abs(np.sin(angle[:, None] - angle)) < ONE_WAY
+    every = (across <= 2.0) & (along >= 0) & (along <= length) & alike[:, None] & ~np.eye(40, dtype=bool)[:, None]
+    assert every.any()
+    assert (beside(a, length[:, None] * u, length, 2.0) == every).all()
 
 
 def test_a_short_edge_on_a_long_one_is_one_accident():
