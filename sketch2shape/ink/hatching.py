@@ -6,6 +6,8 @@ across the lines meets many of them at short, even distances. Lines of other dir
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import cv2
 import numpy as np
 
@@ -29,6 +31,8 @@ TURNS = 36
 """Directions that are tried for the edges through a hatching."""
 ALONG = np.radians(12.5)
 """Angle up to which a line runs along a hatching, radians."""
+ROOM = 6
+"""Pixels around an area in which it is looked at, more than what asks for neighbours sees."""
 CROSSED = 1.5
 """Length of the lines that tell the directions of a cross-hatching, over the greatest distance of hatch lines."""
 CELLS, MOSTLY_CELLS = 40, 0.7
@@ -64,14 +68,18 @@ def _without_areas(mask: Bools, pen_width: float, diagonal: float, extent: float
     result = mask
     for label in range(1, min(int(labels.max()), 8) + 1):
         area = _grown(np.asarray(labels == label, dtype=np.uint8), np.asarray(closed, dtype=np.uint8), box)
+        x, y, w, h = cv2.boundingRect(area)
+        frame = slice(max(y - ROOM, 0), y + h + ROOM), slice(max(x - ROOM, 0), x + w + ROOM)
+        here, area = ink[frame], area[frame]
         inner = cv2.erode(area, square(2.0 * pen_width + 5.0)) > 0
-        angles, lines = _hatched(ink, area, inner, SPACING * diagonal)
-        if not lines or _leaving(ink, area) > LEAVING * lines:
+        angles, lines = _hatched(here, area, inner, SPACING * diagonal)
+        if not lines or _leaving(here, area) > LEAVING * lines:
             continue
         x, y, w, h = cv2.boundingRect(area)
-        edges = np.zeros_like(mask)
-        edges[y : y + h, x : x + w] = _other_lines(ink[y : y + h, x : x + w], angles, 2.5 * SPACING * diagonal)
-        result = result & (~inner | edges)
+        edges = np.zeros_like(inner)
+        edges[y : y + h, x : x + w] = _other_lines(here[y : y + h, x : x + w], angles, 2.5 * SPACING * diagonal)
+        result = result.copy()
+        result[frame] &= ~inner | edges
     return result
 
 
@@ -160,21 +168,27 @@ def _even_lines(ink: Gray, area: Gray, angle: float, spacing: float) -> int:
         way = angle + turn * np.pi
         step, aside = np.array([np.cos(way), np.sin(way)]), np.array([-np.sin(way), np.cos(way)])
         # a walk across a dented face may leave it on the way; another one does not
-        for shift in np.linspace(-0.75, 0.75, 9):
-            gaps = _gaps(mask, area, centre + shift * reach * aside, step, reach) * np.sin(turn * np.pi)
+        starts = centre + np.linspace(-0.75, 0.75, 9)[:, None] * reach * aside
+        for gaps in _gaps(mask, area, starts, step, reach):
+            gaps = gaps * np.sin(turn * np.pi)
             if len(gaps) > max(most, LINES - 2) and np.median(gaps) < spacing and np.std(gaps) < UNEVEN * np.mean(gaps):
                 most = len(gaps)
     return most + 1 if most else 0
 
 
-def _gaps(mask: Bools, area: Gray, start: Floats, step: Floats, reach: float) -> Floats:
-    """Distances between the lines met on the way from start - reach to start + reach, within the area."""
-    points = np.round(start + np.arange(-reach, reach, 0.5)[:, None] * step).astype(int)
+def _gaps(mask: Bools, area: Gray, starts: Floats, step: Floats, reach: float) -> Iterator[Floats]:
+    """Distances between the lines met on each way from start - reach to start + reach, within the area, if many are."""
+    x, y = np.round(starts[:, None] + np.arange(-reach, reach, 0.5)[:, None] * step).astype(int).transpose(2, 0, 1)
     h, w = mask.shape
-    points = points[(points >= 0).all(axis=1) & (points[:, 0] < w) & (points[:, 1] < h)]
-    points = points[area[points[:, 1], points[:, 0]] > 0]
-    met = mask[points[:, 1], points[:, 0]].astype(np.int8)
-    return 0.5 * np.diff(np.flatnonzero(np.diff(met) == 1)).astype(np.float64)
+    inside = (x >= 0) & (x < w) & (y >= 0) & (y < h)
+    x, y = np.where(inside, x, 0), np.where(inside, y, 0)
+    inside &= area[y, x] > 0
+    met = mask[y, x]
+    # no more than if a line began wherever the way comes back into the area
+    lines = np.count_nonzero(np.diff((met & inside).view(np.int8), axis=1) == 1, axis=1)
+    for k in np.flatnonzero(lines >= LINES):
+        own = met[k, inside[k]].view(np.int8)
+        yield 0.5 * np.diff(np.flatnonzero(np.diff(own) == 1)).astype(np.float64)
 
 
 def _other_lines(ink: Gray, angles: list[float], length: float) -> Bools:
