@@ -154,7 +154,7 @@ def all_readings(given: Drawing, ratio: float | None = None) -> list[Reading]:
     for f in sorted(faces, key=lambda f: -f.hoped):
         if found and f.hoped < best - _HOPELESS:
             break  # not before anything is found: faces told apart from parallelograms may turn out to be some
-        found += _of_parallel(f, ratio)
+        found += _of_parallel(f, ratio, aslant=f.upright and (f.taper == 1.0 or f.odds + f.tapered >= best - _HOPELESS))
     if given.bent is not None or given.pointed:
         return sorted(found, key=lambda r: -r.odds)
     parallel = max(of_alike_faces(drawing.relation, drawing.noise).odds for drawing, _ in pairs)
@@ -251,8 +251,11 @@ def _straightened(face: Floats) -> Floats:
     return straight
 
 
-def _of_parallel(faces: _Faces, ratio: float | None) -> Iterator[Reading]:
-    """Prisms and tapered objects in parallel drawings, and prisms that face the viewer in perspective."""
+def _of_parallel(faces: _Faces, ratio: float | None, *, aslant: bool) -> Iterator[Reading]:
+    """Prisms and tapered objects in parallel drawings, and prisms that face the viewer in perspective.
+
+    aslant : may the face be foreshortened?
+    """
     drawing = faces.drawing
     known = int(drawing.known.sum())
     wobble = drawing.noise * math.sqrt(2.0 / max(known, 1)) / math.hypot(*faces.d.tolist())
@@ -269,7 +272,7 @@ def _of_parallel(faces: _Faces, ratio: float | None) -> Iterator[Reading]:
     if base and faces.straight:
         yield from _standing(faces, kind, ratio)
     for found in read_parallel(
-        faces.face, faces.d, relations, faces.noise, wobble, aslant=faces.upright, arcs=arcs, pyramid=base
+        faces.face, faces.d, relations, faces.noise, wobble, aslant=aslant, arcs=arcs, pyramid=base
     ):
         if found.pose is not None:
             yield _axonometric(faces, replace(found, odds=kind + found.odds))
