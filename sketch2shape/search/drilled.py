@@ -6,9 +6,12 @@ are holes. Which two faces they join is open: any two opposite sides of a box ma
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
+import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from sketch2shape.evidence import nearest_edges
 from sketch2shape.hypotheses import Rings, frame, split
@@ -20,7 +23,7 @@ from sketch2shape.search.observed import Observed
 from sketch2shape.search.sweep_improvement import finished, with_holes
 from sketch2shape.search.sweep_pairs import Scene
 from sketch2shape.strokes import Skeleton
-from sketch2shape.sweeps import Frame, Outline, Sweep, Way, coherent_loops
+from sketch2shape.sweeps import LEAST_COHERENT, Frame, Outline, Sweep, Way, coherent_loops
 
 SPREAD = 0.05
 """Fraction of a face's size by which its vertices are moved unlike each other at most: more is perspective."""
@@ -29,6 +32,8 @@ STRAYS, OWN_PENS, BLUR = 4.0, 0.5, 1.0
 edges."""
 INSIDE = -1.5
 """Pixels by which a hole lies inside its face at least: one may come close to the face's edge."""
+LEAST_RIM = 2 * LEAST_COHERENT
+"""Length of the rim of the smallest hole, in each face, over the drawing's size: twice its extent at least."""
 LEAST_NEAR, NEAR_PENS = 2.0, 0.5
 """Pixels, and pens, within which the ink of a hole lies on ink when it is moved to the back face."""
 
@@ -36,7 +41,7 @@ LEAST_NEAR, NEAR_PENS = 2.0, 0.5
 def find_drilled(seen: Observed, straight: Found) -> FoundSweep | None:
     """A straight answer with round holes in it, or None if there are none."""
     scene = Scene(seen.drawn, seen.skeleton, seen.view)
-    left = _left(seen.skeleton, straight)
+    left = _left(seen.skeleton, straight, 2 * LEAST_RIM * seen.view.size)
     if left is None:
         return None
     found: list[FoundSweep] = []
@@ -74,19 +79,34 @@ def _as_sweep(rings: Rings) -> Sweep | None:
     return Sweep(outlines, Way(shift))
 
 
-def _left(skeleton: Skeleton, straight: Found) -> Skeleton | None:
-    """The skeleton without the ink of the straight edges; None if nothing is left."""
+def _left(skeleton: Skeleton, straight: Found, least: float) -> Skeleton | None:
+    """The skeleton within the object without the ink of its edges; None if there are fewer than `least` pixels.
+
+    A hole lies within two faces: dimensions, letters and arrows around the object are none.
+    """
     v, edges = straight.rings.vertices, frame(straight.rings.sizes).edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     reach = max(STRAYS * straight.noise, OWN_PENS * skeleton.pen_width) + BLUR
     distance, _ = nearest_edges(skeleton.points, a, span)
-    points = skeleton.points[distance > reach]
-    if not len(points):
-        return None
-    mask = np.zeros_like(skeleton.mask)
-    x, y = np.rint(points).astype(np.intp).T
-    mask[y, x] = 1
-    return Skeleton(mask, points, (), skeleton.pen_width)
+    mask = skeleton.mask & _covered(straight.rings, skeleton.mask.shape)
+    x, y = np.rint(skeleton.points[distance <= reach]).astype(np.intp).T
+    mask[y, x] = 0
+    x, y = np.rint(skeleton.points).astype(np.intp).T
+    points = skeleton.points[mask[y, x] > 0]
+    return Skeleton(mask, points, (), skeleton.pen_width) if len(points) >= least else None
+
+
+def _covered(rings: Rings, shape: tuple[int, ...]) -> NDArray[np.uint8]:
+    """(h, w) 1 on all faces of the object, and as far beyond them as a hole may lie."""
+    after = frame(rings.sizes).after
+    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
+    sides = np.stack([front, front[after], back[after], back], axis=1)
+    drawn = np.zeros(shape, np.uint8)
+    for face in (rings.front[0], rings.back[0], *sides):
+        outline = np.rint(face).astype(np.int32)
+        cv2.fillPoly(drawn, [outline], 1)
+        cv2.polylines(drawn, [outline], True, 1, 2 * math.ceil(-INSIDE) + 1)
+    return drawn
 
 
 def _loops(left: Skeleton, sweep: Sweep, scene: Scene) -> list[Floats]:

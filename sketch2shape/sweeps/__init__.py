@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sketch2shape.sweeps.cells import Cells
 from sketch2shape.sweeps.joined import joined
-from sketch2shape.sweeps.loops import LEAST_PATH, Loop, coherent_loops, ellipses, enclosed_loops
+from sketch2shape.sweeps.loops import LEAST_COHERENT, LEAST_PATH, Loop, coherent_loops, ellipses, enclosed_loops
 from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
 from sketch2shape.sweeps.pieces import cut_ring, rounded
 from sketch2shape.sweeps.pyramids import pyramids
@@ -23,6 +23,7 @@ from sketch2shape.sweeps.ways import (
 )
 
 __all__ = [
+    "LEAST_COHERENT",
     "LEAST_PATH",
     "Cells",
     "Circle",

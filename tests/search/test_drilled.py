@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from round_sketches import drawn, ellipse
-from sketches import DEPTH, SQUARE, ink_of, prism
+from sketches import DEPTH, SQUARE, ink_of, line, prism
 
 import sketch2shape as s2s
 from sketch2shape.ink import split_groups
@@ -63,6 +63,17 @@ def test_a_hole_may_come_close_to_the_edge_of_its_face():
 
 def test_nothing_is_drilled_where_no_ink_is_left():
     assert drilled(prism(SQUARE, SQUARE + DEPTH)) is None
+
+
+def test_what_lies_around_the_object_is_no_hole(monkeypatch):
+    def looked(*_):
+        raise AssertionError
+
+    monkeypatch.setattr("sketch2shape.search.drilled.coherent_loops", looked)
+    picture = prism(SQUARE, SQUARE + DEPTH)
+    line(picture, SQUARE[0], SQUARE[0] - [50, 50])
+    line(picture, SQUARE[3], SQUARE[3] + [-50, 50])
+    assert drilled(picture) is None
 
 
 def test_the_answer_has_the_holes():

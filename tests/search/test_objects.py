@@ -121,6 +121,14 @@ def test_a_silhouette_with_obtuse_corners_is_no_arc():
     assert objects.bowed_part(skeleton, 500.0) == 0.0
 
 
+def test_a_corner_that_a_pen_has_rounded_is_no_arc():
+    ends = np.array([[60.0, 60], [180, 60], [190, 64], [270, 144]])
+    t = np.linspace(0.0, 1.0, 110, endpoint=False)[:, None]
+    path = np.concatenate([a + t * (b - a) for a, b in pairwise(ends)])
+    skeleton = SimpleNamespace(paths=[np.rint(path).astype(np.int32)], pen_width=2.0)
+    assert objects.bowed_part(skeleton, 500.0) == 0.0
+
+
 @pytest.mark.parametrize(("lines", "foreign", "asked"), [("wire", 20.0, 1), ("removed", 20.0, 0), ("wire", 1.0, 0)])
 def test_a_sure_wireframe_is_searched_for_narrow_holes_where_ink_is_left(monkeypatch, lines, foreign, asked):
     sure, calls = _sure(monkeypatch, lines, foreign), []
@@ -148,7 +156,7 @@ def _sure(monkeypatch, lines, foreign, attached=0.0, short=20.0):
     face = np.array([[0.0, 0], [40, 0], [0, 30]])
     rings = Rings((face,), (face + [0.0, -short],))
     compared = SimpleNamespace(view=view)
-    sure = SimpleNamespace(confidence=0.95, energy=energy, witnesses=told, rings=rings, compared=compared)
+    sure = SimpleNamespace(confidence=0.95, alone=0.95, energy=energy, witnesses=told, rings=rings, compared=compared)
     monkeypatch.setattr(objects, "observed", lambda _: SimpleNamespace(skeleton=None, view=view))
     monkeypatch.setattr(objects, "bowed_part", lambda *_: 0.0)
     monkeypatch.setattr(objects, "find", lambda _: sure)
