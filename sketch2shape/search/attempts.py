@@ -62,6 +62,9 @@ SEE_THROUGH = 2
 """Strokes that run across each other from which a drawing is likely to show its hidden edges."""
 FEW_IN_THREES = 0.4
 """Part of the stroke ends that meet in threes below which lines no ruler drew are no wireframe: so traced, at least."""
+DASHED = 0.1
+"""Part of the ink in pieces as small as dashes from which on a drawing is likely to dash hidden edges; wireframes with
+dimensions have 0.02, drawings with dashes 0.1 to 0.3."""
 EARLY = 4
 """Rounds of such a drawing that look for it alone before any looks for faces with nothing behind them."""
 
@@ -270,9 +273,15 @@ def grown_attempts(looks: Looks, best: Judged) -> Iterator[Attempt]:
 
 def _early(looks: list[_Look]) -> list[_Look]:
     """Those that look for a wireframe alone: the first few, if strokes cross. A fine trace cuts wavy ones in pieces."""
-    first = looks[:EARLY]
+    first = looks[:EARLY] if looks and not _is_dashed(looks[0].traced) else []
     some = first[:1] if first and first[0].is_steady else first
     return first if any(look.crossed >= SEE_THROUGH for look in some) else []
+
+
+def _is_dashed(traced: Traced) -> bool:
+    """Whether so much of the ink is in small pieces that hidden edges seem to be dashed."""
+    x, y = np.rint(traced.skeleton.points).astype(np.intp).T
+    return bool(1.0 - traced.group.solid[y, x].mean() > DASHED)
 
 
 def wire_hypotheses(

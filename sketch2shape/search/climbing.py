@@ -14,7 +14,7 @@ from itertools import chain
 
 import numpy as np
 
-from sketch2shape.evidence import Evidence, View, judge_stack
+from sketch2shape.evidence import Evidence, View, judge_stack, most_possible
 from sketch2shape.fit import FLAT, turns
 from sketch2shape.hypotheses import Rings, Stack, split, stack, which_plausible
 from sketch2shape.model import Bools, Floats
@@ -141,10 +141,13 @@ def _likely(top: Found, ground: _Ground) -> Iterator[tuple[Rings, Evidence]]:
         kinds = neighbours(top.rings, top.evidence, ground.corners, top.sheet)
     for moves in chain(_exchanged(top.rings, EXCHANGED * ground.view.size), kinds):
         some = moves.some(np.flatnonzero(_is_possible(moves, top, ground)))
+        least = top.evidence.score - HOPELESS
+        if len(some):
+            some = some.some(np.flatnonzero(most_possible(some, top.sheet) > least))
         if not len(some):
             continue
         judged = judge_stack(some, top.sheet)
-        hopeful = [k for k in range(len(judged)) if judged[k].score > top.evidence.score - HOPELESS]
+        hopeful = [k for k in range(len(judged)) if judged[k].score > least]
         order = sorted(hopeful, key=lambda k: -judged[k].score)[:PRICED]
         if not order:
             continue

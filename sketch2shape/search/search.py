@@ -43,6 +43,7 @@ from sketch2shape.search.climbing import climb
 from sketch2shape.search.found import TIE, Found, alike, best_of, is_same, priced, total
 from sketch2shape.search.observed import DENSE, Observed
 from sketch2shape.search.refining import HOPELESS, at_dashes, compared_with, refined
+from sketch2shape.search.shortlist import LEAST
 from sketch2shape.search.tolerances import is_wireframe
 
 MOST_REFINED = 40
@@ -78,7 +79,7 @@ def find(seen: Observed) -> Found | None:
     for look in (attempts, second_attempts):
         _search(_noted(look(looks), tried), seen.view, found)
         best = _told(best_of(found))
-        if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
+        if best is not None and (best.confidence >= TRUSTED or leaves_nothing(best)):
             break
     else:
         _search(climbed_attempts(looks, tried), seen.view, found)
@@ -101,7 +102,7 @@ def _above(known: Found | None, looks: Looks, view: View, found: list[Found]) ->
 
 def _looked_at_again(best: Found, looks: Looks, view: View, found: list[Found]) -> Found:
     """A trusted answer, or a cheaper one with more vertices, with one elsewhere, exchanged or left out."""
-    nothing = _leaves_nothing(best)
+    nothing = leaves_nothing(best)
     if not nothing:
         _search(grown_attempts(looks, (best.rings, best.evidence)), view, found)
     found += climb(found, looks, view, 1, closely=nothing)
@@ -192,16 +193,24 @@ def _gap(best: Found, found: list[Found]) -> float:
 
 
 def _search(tries: Iterable[Attempt], view: View, found: list[Found]) -> None:
-    """Add the hypotheses of some attempts to those found, until more of them bring nothing new."""
-    stale, best = 0, best_of(found)
+    """Add the hypotheses of some attempts to those found, until more of them bring nothing new.
+
+    What explains little is refined last, and only if no attempt explains the drawing.
+    """
+    stale, best, poor = 0, best_of(found), list[Attempt]()
     for attempt in tries:
-        if best is None and _is_scribble(attempt):
+        if best is None and not poor and _is_scribble(attempt):
             break
-        found += _refined_of(attempt, view, found)
+        if 0.0 < attempt.score < LEAST:
+            poor.append(attempt)
+        else:
+            found += _refined_of(attempt, view, found)
         before, best = best, best_of(found)
         stale = 0 if best is not before and not is_same(before, best) else stale + attempt.is_whole
-        if best is not None and (_leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
-            break
+        if best is not None and (leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
+            return
+    for attempt in poor if best is None or not _is_settled(best) else ():
+        found += _refined_of(attempt, view, found)
 
 
 def _is_settled(best: Found) -> bool:
@@ -212,7 +221,7 @@ def _is_settled(best: Found) -> bool:
     return energy.unexplained < LEFT_OVER * compared.view.all_foreign
 
 
-def _leaves_nothing(best: Found) -> bool:
+def leaves_nothing(best: Found) -> bool:
     """Whether no other hypothesis could save as much as it would cost."""
     energy = best.energy
     return energy is not None and best.evidence.score >= GOOD and energy.unexplained < SETTLED * energy.vertex
@@ -236,9 +245,10 @@ def _refined_of(attempt: Attempt, view: View, known: list[Found]) -> list[Found]
     traced, sheet = attempt.traced, attempt.sheet
     fresh: list[Found] = []
     tried: list[Rings] = []
-    vertices, top, enough = 0, 0.0, np.inf
+    vertices, enough = 0, np.inf
+    top = max((f.evidence.score for f in known if is_sound(f.evidence)), default=0.0)
     for rings, evidence in attempt.shortlist:
-        if tried and (evidence.score < top - HOPELESS or vertices > MOST_REFINED):
+        if evidence.score < top - HOPELESS or vertices > MOST_REFINED:
             break
         if sum(rings.sizes) >= enough or any(alike(rings, other, sheet.reach) for other in tried):
             continue
@@ -263,7 +273,7 @@ def _is_plainest(found: Found) -> bool:
         return False
     energy = found.compared.energy(found.noise)
     bare = sum(found.rings.sizes) * energy.vertex + LEAST_MAP * energy.digit
-    return energy.shape - bare < PLAIN * energy.digit and _leaves_nothing(replace(found, energy=energy))
+    return energy.shape - bare < PLAIN * energy.digit and leaves_nothing(replace(found, energy=energy))
 
 
 def _is_exact(found: Found) -> bool:

@@ -1,5 +1,7 @@
 """What each round makes of a drawing, and in which order rounds are asked."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from sketches import DEPTH, L_SHAPE, SQUARE, ink_of, prism
@@ -10,7 +12,15 @@ from sketch2shape.ink.groups import split_groups
 from sketch2shape.model import VectorLine
 from sketch2shape.reading.sheet import picture_of
 from sketch2shape.search import tolerances
-from sketch2shape.search.attempts import GOOD, Looks, _likely_first, attempts, second_attempts
+from sketch2shape.search.attempts import (
+    GOOD,
+    SEE_THROUGH,
+    Looks,
+    _early,
+    _likely_first,
+    attempts,
+    second_attempts,
+)
 from sketch2shape.strokes.skeleton import thin
 
 
@@ -34,6 +44,20 @@ def test_a_drawing_that_can_be_seen_through_is_taken_for_a_wireframe_before_anyt
     early = [a for a, _ in zip(attempts_at(prism(SQUARE, SQUARE + DEPTH)), range(3), strict=False)]
     assert [a.number for a in early] == [0, 1, 2]
     assert all(evidence.lines == "wire" for a in early for _, evidence in a.shortlist)
+
+
+def test_no_wireframe_is_looked_for_first_where_edges_are_dashed():
+    group = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))[0]
+    dashed = replace(group, solid=group.solid & (np.arange(group.solid.shape[1]) > 0.4 * group.solid.shape[1]))
+    for drawn, early in ((group, 4), (dashed, 0)):
+        assert len(_early([*_crossed(Looks(drawn, thin(drawn.ink)).rounds)])) == early
+
+
+def _crossed(looks):
+    """The same, told that their strokes cross."""
+    for look in looks:
+        look.__dict__["crossed"] = SEE_THROUGH
+    return looks
 
 
 def test_a_drawing_without_crossing_strokes_is_asked_round_by_round():

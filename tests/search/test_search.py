@@ -158,6 +158,17 @@ def test_a_scribble_is_not_looked_at_again(monkeypatch, strokes, score, looks):
     assert len(taken) == looks
 
 
+@pytest.mark.parametrize(("good", "refined"), [(0.99, [2]), (0.0, [2, 1])], ids=["explained", "not explained"])
+def test_what_explains_little_is_refined_last_and_only_where_nothing_explains_more(monkeypatch, good, refined):
+    done = []
+    monkeypatch.setattr(search, "_refined_of", lambda attempt, *_: done.append(attempt.number) or [])
+    monkeypatch.setattr(search, "best_of", lambda _: "best" if good and 2 in done else None)
+    monkeypatch.setattr(search, "leaves_nothing", lambda _: True)
+    monkeypatch.setattr(search, "_is_scribble", lambda _: False)
+    _search([SimpleNamespace(number=n, score=score, is_whole=True) for n, score in ((1, 0.4), (2, good))], None, [])
+    assert done == refined
+
+
 def _priced_at(nats, confidence):
     return SimpleNamespace(energy=SimpleNamespace(total=nats), confidence=confidence)
 
