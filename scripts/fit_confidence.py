@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import os
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +36,8 @@ from sketch2shape.model import Floats
 EVIDENCE = ROOT / "sketch2shape" / "evidence"
 WEIGHTS, RIVAL_WEIGHTS = EVIDENCE / "weights.py", EVIDENCE / "rival_weights.py"
 SETS = ("fresh", "hard", "real", "real2", "refuse", "abc")
+FLAT, FLAT_TIMES = ("no_flat", "no_diagonals"), 8
+"""Kinds of flat figures, of which so many times as many are drawn: they look most like objects, and are none."""
 EITHER = {"vertices", "shallow", "small"}
 """Witnesses that may speak for an answer; all others can only speak against it, whatever the drawings happen to say."""
 TERMS = ("whole", *WITNESSES)
@@ -47,7 +50,12 @@ ABOUT_RIVALS = "Weights of a rival, written by `scripts/fit_confidence.py`; see 
 def main() -> None:
     args = _arguments()
     with tempfile.TemporaryDirectory() as scratch:
-        cases = [c for c in collect(args.sets, wanted(args, scratch)) if c.truth.get("objects", ()) is not None]
+        asked = wanted(args, scratch)
+        flat = replace(
+            asked, categories=FLAT, scratch=asked.scratch / "flat", per_category=FLAT_TIMES * asked.per_category
+        )
+        drawn = [*collect(args.sets, asked), *(collect(["fresh"], flat) if "fresh" in args.sets else [])]
+        cases = [case for case in drawn if case.truth.get("objects", ()) is not None]
         given = in_processes(_answers, [(case,) for case in cases], args.jobs, args.seconds)
     sets: dict[str, list[Answer]] = {case.set: [] for case in cases}
     for case, some in zip(cases, given, strict=True):

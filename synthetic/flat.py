@@ -142,6 +142,21 @@ def nested_squares(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) 
     return _named(strokes([closed(ring), closed(inner)], size, pen, hand, rng), ring, size, rng)
 
 
+def diagonals(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
+    """A convex polygon, regular or not, with a star or more than that of its diagonals: they cross, as no edges do."""
+    n = int(rng.integers(5, 9))
+    turn, part = np.sort(rng.uniform(0.0, 0.6, n)) * (rng.random() < 0.5), 2 * np.pi / n
+    at = (np.arange(n) + turn) * part + float(rng.choice([-0.5 * np.pi, rng.uniform(0.0, 6.0)]))
+    ring = fit(np.c_[np.cos(at), rng.uniform(0.6, 1.0) * np.sin(at)], size, float(rng.uniform(0.5, 0.8)))
+    every = [(i, j) for i in range(n) for j in range(i + 2, n) if (i, j) != (0, n - 1)]
+    star = [(i, j) for i, j in every if j - i in (2, n - 2)]
+    more = [pair for pair in every if pair not in star]
+    chosen = star + [more[k] for k in rng.permutation(len(more))[: int(rng.integers(0, len(more) + 1))]]
+    return _named(
+        strokes([closed(ring), *(ring[list(pair)] for pair in chosen)], size, pen, hand, rng), ring, size, rng
+    )
+
+
 def function_graph(size: Sheet, pen: Pen, hand: Hand, rng: np.random.Generator) -> Coverage:
     """Axes with arrows, perhaps a grid, and a line, parabola, hyperbola, wave or polygon in them."""
     w, h = size
@@ -186,5 +201,6 @@ FLAT: dict[str, Negative] = {
     "circles_and_lines": circles_and_lines,
     "similar": similar,
     "nested_squares": nested_squares,
+    "diagonals": diagonals,
     "function_graph": function_graph,
 }

@@ -134,6 +134,7 @@ def _no_objects() -> dict[str, Recipe]:
     media = ("clean", "hand", "clean", "scan", "pen", "thin", "photo", "clean", "pencil", "jpeg")
     subjects = {
         "flat": ("rectangles", "triangles", "quadrilaterals", "circles_and_lines", "similar", "nested_squares"),
+        "diagonals": ("diagonals",),
         "graphs": ("function_graph",),
         "tables": ("numbers_table", "board"),
         "nets": ("cube_net", "box_net", "prism_net"),

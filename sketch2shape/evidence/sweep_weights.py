@@ -16,6 +16,7 @@ CENTRE = (
     2.0536,  # standing
     0.4299,  # holes
     0.2104,  # lone
+    0.01,  # chords
 )
 SPREAD = (
     0.3523,  # unexplained
@@ -33,6 +34,7 @@ SPREAD = (
     2.8719,  # standing
     1.1321,  # holes
     0.4076,  # lone
+    0.1,  # chords
 )
 WEIGHT = (
     -1.4164,  # unexplained
@@ -50,5 +52,6 @@ WEIGHT = (
     -0.918,  # standing
     0.2131,  # holes
     -0.3682,  # lone
+    0.0,  # chords
 )
 BIAS = -1.8267

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from sketch2shape.evidence.chords import chords, faces_of
 from sketch2shape.evidence.energy import Comparison, Energy, near_line
 from sketch2shape.evidence.witness import attached, closed
+from sketch2shape.hypotheses import frame
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.sweeps import Sweep
 
@@ -25,6 +27,7 @@ SWEEP_WITNESSES = (
     "standing",
     "holes",
     "lone",
+    "chords",
 )
 """Names of the witnesses, in order."""
 FEW_LINES = 4
@@ -64,8 +67,24 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
             leaning,
             float(len(sweep.rings) - 1),
             float(lines <= FEW_LINES),
+            _chords(sweep, view.points[left], near_line(energy.noise), view.size),
         ]
     )
+
+
+def _chords(sweep: Sweep, foreign: Floats, reach: float, size: float) -> float:
+    """See `chords`; of arcs their ends count."""
+    rings = [ring.vertices for ring in sweep.rings if len(ring.vertices)]
+    if not rings:
+        return 0.0
+    front = np.concatenate(rings)
+    back = front + sweep.way.of(front)
+    edges = frame(tuple(len(ring) for ring in rings)).edges
+    v = np.concatenate([front, back])
+    if sweep.way.is_pointed:
+        edges, v = np.minimum(edges, len(front)), v[: len(front) + 1]
+    outline = sweep.rings[0].line
+    return chords(foreign, v, edges, lambda: faces_of(outline, outline + sweep.way.of(outline)), reach, size)
 
 
 def unexplained_part(energy: Energy, compared: Comparison) -> float:

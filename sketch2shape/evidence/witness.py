@@ -8,6 +8,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from sketch2shape.evidence.chords import chords, faces_of
 from sketch2shape.evidence.energy import Comparison, Energy, near_line, nearest_edges
 from sketch2shape.evidence.overlaps import HALF, ONE_WAY, PLACES, beside
 from sketch2shape.evidence.score import Evidence
@@ -31,6 +32,7 @@ WITNESSES = (
     "small",
     "doubled",
     "map",
+    "chords",
 )
 """Names of the witnesses, in order."""
 TOUCHING = 0.03
@@ -82,8 +84,15 @@ def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evid
             np.log(size / view.pen),
             doubled(a, span, length, compared.shown, max(2.0, BESIDE * view.pen + energy.noise)),
             energy.shape / energy.vertex / m,
+            _chords(rings, view.points[left], reach, size),
         ]
     )
+
+
+def _chords(rings: Rings, foreign: Floats, reach: float, size: float) -> float:
+    """See `chords`."""
+    v, n, m = rings.vertices, rings.sizes[0], len(rings.vertices) // 2
+    return chords(foreign, v, frame(rings.sizes).edges, lambda: faces_of(v[:n], v[m : m + n]), reach, size)
 
 
 def attached(view: View, left: Bools, distance: Floats, size: float) -> float:
