@@ -4,13 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from round_sketches import ARCH, CONE, CYLINDER, TUBE, drawn
+from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, drawn
 from sketches import ink_of, line, outline
 
 from sketch2shape.evidence import SWEEP_WITNESSES, compare_sweep, observe, sweep_witnesses
 from sketch2shape.evidence.sweep_witness import FEW_LINES, MOST_GAP
 from sketch2shape.ink import split_groups
 from sketch2shape.strokes import thin
+from sketch2shape.sweeps import Sweep, Way
+from sketch2shape.sweeps.outlines import polygon
 
 
 def seen_in(picture, sweep, gap=10.0, leaning=0.0):
@@ -38,6 +40,18 @@ def test_foreign_ink_is_told_by_length_and_whether_it_touches():
     assert beside["unexplained"] == pytest.approx(80 / view.length.sum(), rel=0.15)
     touching, _, _ = seen_in(line(drawn(CYLINDER), [330, 200], [420, 200]), CYLINDER)
     assert beside["attached"] < 0.02 < touching["attached"]
+
+
+DART = np.array([[225.0, 100], [120, 280], [225, 200], [330, 290]])
+
+
+def test_lines_from_vertex_to_vertex_outside_the_silhouette_are_chords():
+    base = PYRAMID.rings[0].vertices
+    assert seen_in(line(drawn(PYRAMID), base[0], base[2]), PYRAMID)[0]["chords"] == 0.0
+    dart = Sweep((polygon(DART),), Way(np.array([8.0, 20.0])))
+    assert seen_in(drawn(dart), dart)[0]["chords"] == 0.0
+    seen, view, _ = seen_in(line(drawn(dart), DART[1], DART[3]), dart)
+    assert seen["chords"] == pytest.approx(np.hypot(*(DART[3] - DART[1])) / view.size, rel=0.02)
 
 
 def test_ink_that_encloses_something_by_itself_is_told():

@@ -32,6 +32,14 @@ def test_a_clean_box_has_nothing_against_it():
     assert seen["vertices"] == pytest.approx(np.log(4))
 
 
+def test_a_line_past_the_object_from_vertex_to_vertex_is_a_chord():
+    dart = np.array([[225.0, 100], [120, 280], [225, 200], [330, 290]])
+    rings = Rings((dart,), (dart + [8, 20],))
+    clean = prism(dart, dart + [8, 20])
+    assert seen_in(clean, rings)["chords"] == 0.0
+    assert seen_in(line(clean.copy(), dart[1], dart[3]), rings)["chords"] > 0.5
+
+
 def test_foreign_ink_is_told_by_length_and_whether_it_touches():
     clean = prism(SQUARE, SQUARE + DEPTH)
     beside = seen_in(line(clean.copy(), [130, 302], [260, 302]))
