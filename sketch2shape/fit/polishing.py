@@ -64,12 +64,12 @@ def _slopes(sweep: Sweep, numbers: Floats, scale: Floats, points: Floats) -> Flo
     """(k, n, 2) by how much each number, over its scale, moves each of the samples, points (k, 2)."""
     slopes = np.zeros((len(points), len(numbers), 2))
     parts = _parts(sweep)
-    ends = np.cumsum([0, *(len(_ring_samples(ring, sweep.way)[0]) for ring in sweep.rings)])
+    ends = np.cumsum([0, *(len(_ring_samples(ring, sweep)[0]) for ring in sweep.rings)])
     for ring, part, first, last in zip(sweep.rings, parts, ends[:-1], ends[1:], strict=True):
         for k in range(part.start, part.stop):
             step = numbers[part].copy()
             step[k - part.start] += NUDGE * scale[k]
-            moved, _ = _ring_samples(_ring_with(ring, sweep.frame, step), sweep.way)
+            moved, _ = _ring_samples(_ring_with(ring, sweep.frame, step), sweep)
             slopes[first:last, k] = (moved - points[first:last]) / NUDGE
     for k in range(parts[-1].stop, len(numbers)):
         step = numbers.copy()
@@ -153,13 +153,13 @@ def _way(way: Way, numbers: Floats) -> tuple[Way, Floats]:
 
 def _samples(sweep: Sweep) -> tuple[Floats, Floats]:
     """Points of all its lines but silhouettes, ring by ring, and the direction of the line at each."""
-    points, along = zip(*(_ring_samples(ring, sweep.way) for ring in sweep.rings), strict=True)
+    points, along = zip(*(_ring_samples(ring, sweep) for ring in sweep.rings), strict=True)
     return np.concatenate(points), np.concatenate(along)
 
 
-def _ring_samples(ring: Outline, way: Way) -> tuple[Floats, Floats]:
-    """The same of one ring."""
-    line = ring.line
+def _ring_samples(ring: Outline, sweep: Sweep) -> tuple[Floats, Floats]:
+    """The same of one ring. Lines drawn at smooth joints tell where these are: the rims run on alike on both sides."""
+    line, way = ring.line, sweep.way
     ends = [line] if way.is_pointed else [line, line + way.of(line)]
     points, along = [], []
     for rim in ends:
@@ -167,7 +167,7 @@ def _ring_samples(ring: Outline, way: Way) -> tuple[Floats, Floats]:
         points.append(rim + 0.5 * span)
         along.append(span)
     if len(ring.vertices):
-        sharp = ring.vertices[~ring.smooth]
+        sharp = ring.vertices[~ring.smooth | sweep.tangents]
         to = way.of(sharp)
         t = (np.arange(SIDES) + 0.5) / SIDES
         points.append((sharp[:, None] + t[:, None] * to[:, None]).reshape(-1, 2))

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from round_sketches import ARCH, CONE, CYLINDER, drawn
+from round_sketches import ARCH, CONE, CYLINDER, drawn, slot
 from scipy.spatial import cKDTree
 from sketches import ink_of
 
@@ -25,6 +25,15 @@ def test_a_sweep_put_a_little_off_returns(sweep):
     got = moved.rings[0].line
     assert off.query(got)[0].max() < 4.5  # half the distance of the samples
     assert np.abs(moved.way.of(got).mean(axis=0) - to.mean(axis=0)).max() < 2.0
+
+
+def test_lines_drawn_at_smooth_joints_tell_where_these_are():
+    sweep = slot(Way(np.array([70.0, 50.0])), tangents=True)
+    tree = cKDTree(thin(ink_of(drawn(sweep, "wire"))).points)
+    (ring,) = sweep.rings
+    astray = replace(ring, vertices=ring.vertices + [[4.0, 0.0], [0.0, 0.0], [0.0, 0.0], [-4.0, 0.0]])
+    moved = polished(replace(sweep, rings=(astray,)), tree, 6.0)
+    assert np.abs(moved.rings[0].vertices - ring.vertices).max() < 1.5
 
 
 def test_a_base_that_was_inferred_stays():
