@@ -37,7 +37,7 @@ from sketch2shape.pipeline.report import report
 from sketch2shape.reading import read_picture
 from sketch2shape.search import FoundSweep, sweep_as_object
 from sketch2shape.search.objects import LEAST_COMPANION, SOME_BOWED, bowed_part
-from sketch2shape.search.search import observed
+from sketch2shape.search.observed import observed
 from sketch2shape.search.sweeping import find_sweep
 from sketch2shape.sweeps import Sweep
 
