@@ -56,8 +56,18 @@ def polished(sweep: Sweep, ink: cKDTree, reach: float) -> Sweep:
         square = slopes.T @ (slopes * weight[:, None])
         damping = DAMPING * np.trace(square) / len(numbers) * np.eye(len(numbers))
         change = np.linalg.solve(square + damping, slopes.T @ (weight * off))
-        sweep = _with(sweep, numbers + np.clip(change, -2 * reach, 2 * reach) * scale)
+        sweep = _aligned(_with(sweep, numbers + np.clip(change, -2 * reach, 2 * reach) * scale))
     return sweep
+
+
+def _aligned(sweep: Sweep) -> Sweep:
+    """With its circles seen shortened along the way to the back face, as those of a prism are, where that has moved."""
+    way, frame = sweep.way, sweep.frame
+    if way.centre is not None or not _has_free_ratio(sweep):
+        return sweep
+    along = way.shift / (np.hypot(*way.shift) + 1e-9)
+    turned = Frame(along if along @ frame.along > 0 else -along, frame.ratio)
+    return replace(sweep, rings=tuple(ring.within(turned) for ring in sweep.rings))
 
 
 def _slopes(sweep: Sweep, numbers: Floats, scale: Floats, points: Floats) -> Floats:
