@@ -12,6 +12,7 @@ import numpy as np
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, moved, priced
+from sketch2shape.search.small_holes import small_holes
 from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Scene, are_close, evenly
 from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one_frame, rounded, rung_ends
 
@@ -39,7 +40,7 @@ def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundS
     found = _at_rungs(found, scene)
     if found.unexplained > MUCH and sum(len(ring.vertices) for ring in found.sweep.rings) > MANY:
         return found  # hatching, a scribble: so many vertices that explain so little are none
-    return finished(with_holes(found, scene, _closed_lines(found.sweep, scene)), scene)
+    return finished(with_holes(found, scene, [*small_holes(found, scene), *_closed_lines(found.sweep, scene)]), scene)
 
 
 def _at_rungs(found: FoundSweep, scene: Scene) -> FoundSweep:
