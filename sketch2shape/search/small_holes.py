@@ -21,7 +21,7 @@ from sketch2shape.sweeps import Circle, Outline
 def small_holes(found: FoundSweep, scene: Scene) -> Iterator[Floats]:
     """Ellipses (k, 2), of circles in its front face, that pieces of the ink which a sweep leaves may be holes of."""
     sweep, view = found.sweep, found.compared.view
-    if sweep.way.centre is not None or not sweep.has_arcs:
+    if found.energy.lines == "removed" or sweep.way.centre is not None or not sweep.has_arcs:
         return
     left = view.points[found.compared.every[0] > near_line(found.noise)]
     shift, frame = sweep.frame.flat(sweep.way.shift), sweep.frame

@@ -49,7 +49,7 @@ def _at_rungs(found: FoundSweep, scene: Scene) -> FoundSweep:
     A line and an arc that run into each other do so anywhere, as far as they themselves tell.
     """
     way = found.sweep.way
-    if way.centre is not None or not len(scene.joints):
+    if found.energy.lines == "removed" or way.centre is not None or not len(scene.joints):
         return found
     ends = rung_ends(scene.skeleton, scene.joints, way.shift, scene.size)
     if not len(ends):
