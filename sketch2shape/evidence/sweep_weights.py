@@ -17,6 +17,7 @@ CENTRE = (
     0.4299,  # holes
     0.2104,  # lone
     0.01,  # chords
+    0.5,  # whole
 )
 SPREAD = (
     0.3523,  # unexplained
@@ -35,6 +36,7 @@ SPREAD = (
     1.1321,  # holes
     0.4076,  # lone
     0.1,  # chords
+    0.4,  # whole
 )
 WEIGHT = (
     -1.4164,  # unexplained
@@ -53,5 +55,6 @@ WEIGHT = (
     0.2131,  # holes
     -0.3682,  # lone
     0.0,  # chords
+    0.0,  # whole
 )
 BIAS = -1.8267

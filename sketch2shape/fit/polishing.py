@@ -56,20 +56,30 @@ def polished(sweep: Sweep, ink: cKDTree, reach: float) -> Sweep:
         square = slopes.T @ (slopes * weight[:, None])
         damping = DAMPING * np.trace(square) / len(numbers) * np.eye(len(numbers))
         change = np.linalg.solve(square + damping, slopes.T @ (weight * off))
-        sweep = _with(sweep, numbers + np.clip(change, -2 * reach, 2 * reach) * scale)
+        sweep = _aligned(_with(sweep, numbers + np.clip(change, -2 * reach, 2 * reach) * scale))
     return sweep
+
+
+def _aligned(sweep: Sweep) -> Sweep:
+    """With its circles seen shortened along the way to the back face, as those of a prism are, where that has moved."""
+    way, frame = sweep.way, sweep.frame
+    if way.centre is not None or not _has_free_ratio(sweep):
+        return sweep
+    along = way.shift / (np.hypot(*way.shift) + 1e-9)
+    turned = Frame(along if along @ frame.along > 0 else -along, frame.ratio)
+    return replace(sweep, rings=tuple(ring.within(turned) for ring in sweep.rings))
 
 
 def _slopes(sweep: Sweep, numbers: Floats, scale: Floats, points: Floats) -> Floats:
     """(k, n, 2) by how much each number, over its scale, moves each of the samples, points (k, 2)."""
     slopes = np.zeros((len(points), len(numbers), 2))
     parts = _parts(sweep)
-    ends = np.cumsum([0, *(len(_ring_samples(ring, sweep.way)[0]) for ring in sweep.rings)])
+    ends = np.cumsum([0, *(len(_ring_samples(ring, sweep)[0]) for ring in sweep.rings)])
     for ring, part, first, last in zip(sweep.rings, parts, ends[:-1], ends[1:], strict=True):
         for k in range(part.start, part.stop):
             step = numbers[part].copy()
             step[k - part.start] += NUDGE * scale[k]
-            moved, _ = _ring_samples(_ring_with(ring, sweep.frame, step), sweep.way)
+            moved, _ = _ring_samples(_ring_with(ring, sweep.frame, step), sweep)
             slopes[first:last, k] = (moved - points[first:last]) / NUDGE
     for k in range(parts[-1].stop, len(numbers)):
         step = numbers.copy()
@@ -153,13 +163,13 @@ def _way(way: Way, numbers: Floats) -> tuple[Way, Floats]:
 
 def _samples(sweep: Sweep) -> tuple[Floats, Floats]:
     """Points of all its lines but silhouettes, ring by ring, and the direction of the line at each."""
-    points, along = zip(*(_ring_samples(ring, sweep.way) for ring in sweep.rings), strict=True)
+    points, along = zip(*(_ring_samples(ring, sweep) for ring in sweep.rings), strict=True)
     return np.concatenate(points), np.concatenate(along)
 
 
-def _ring_samples(ring: Outline, way: Way) -> tuple[Floats, Floats]:
-    """The same of one ring."""
-    line = ring.line
+def _ring_samples(ring: Outline, sweep: Sweep) -> tuple[Floats, Floats]:
+    """The same of one ring. Lines drawn at smooth joints tell where these are: the rims run on alike on both sides."""
+    line, way = ring.line, sweep.way
     ends = [line] if way.is_pointed else [line, line + way.of(line)]
     points, along = [], []
     for rim in ends:
@@ -167,7 +177,7 @@ def _ring_samples(ring: Outline, way: Way) -> tuple[Floats, Floats]:
         points.append(rim + 0.5 * span)
         along.append(span)
     if len(ring.vertices):
-        sharp = ring.vertices[~ring.smooth]
+        sharp = ring.vertices[~ring.smooth | sweep.tangents]
         to = way.of(sharp)
         t = (np.arange(SIDES) + 0.5) / SIDES
         points.append((sharp[:, None] + t[:, None] * to[:, None]).reshape(-1, 2))

@@ -12,8 +12,9 @@ import numpy as np
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, moved, priced
+from sketch2shape.search.small_holes import small_holes
 from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Scene, are_close, evenly
-from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one_frame, rounded
+from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one_frame, rounded, rung_ends
 
 HOPEFUL, HOPEFUL_NOTCH = 12.0, 60.0
 """Nats that may be gained where a simpler object is moved to the ink, and one without a notch, whose ends lie apart."""
@@ -25,6 +26,8 @@ MOST_MOVES, LEAST_GAIN = 4, 2.0
 """Times that an object is moved to the ink once it has its holes, and nats that are worth one more."""
 SHORT, MOST_OF_A_NOTCH = 0.06, 3
 """Length over the drawing's size of edges that may be a notch, and how many there are at most."""
+NEAR_RUNG = 3.0
+"""How far a vertex may lie from the end of the line between the faces that shows it, over the reach of a line's ink."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -34,9 +37,35 @@ BEND = 0.5
 def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
     found = cheapest([moved(f, scene) for f in (found, *(priced(scene, s) for s in others))])
+    found = _at_rungs(found, scene)
     if found.unexplained > MUCH and sum(len(ring.vertices) for ring in found.sweep.rings) > MANY:
         return found  # hatching, a scribble: so many vertices that explain so little are none
-    return finished(with_holes(found, scene, _closed_lines(found.sweep, scene)), scene)
+    return finished(with_holes(found, scene, [*small_holes(found, scene), *_closed_lines(found.sweep, scene)]), scene)
+
+
+def _at_rungs(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """With vertices of a wireframe where lines between the faces end near them, if that is cheaper.
+
+    A line and an arc that run into each other do so anywhere, as far as they themselves tell.
+    """
+    way = found.sweep.way
+    if found.energy.lines == "removed" or way.centre is not None or not len(scene.joints):
+        return found
+    ends = rung_ends(scene.skeleton, scene.joints, way.shift, scene.size)
+    if not len(ends):
+        return found
+    put = replace(found.sweep, rings=tuple(_put_at(ring, ends, NEAR_RUNG * scene.reach) for ring in found.sweep.rings))
+    return cheapest((found, moved(priced(scene, put), scene)))
+
+
+def _put_at(ring: Outline, places: Floats, near: float) -> Outline:
+    """The ring with its vertices at the nearest of some places (k, 2), where that is so many pixels away at most."""
+    if ring.circle is not None:
+        return ring
+    apart = np.hypot(*(ring.vertices[:, None] - places).transpose(2, 0, 1))
+    nearest = apart.argmin(axis=1)
+    own = (apart.min(axis=1) < near) & (apart[:, nearest].argmin(axis=0) == np.arange(len(ring.vertices)))
+    return replace(ring, vertices=np.where(own[:, None], places[nearest], ring.vertices))
 
 
 def finished(found: FoundSweep, scene: Scene) -> FoundSweep:
@@ -75,11 +104,12 @@ def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within:
     if found.sweep.way.is_pointed:
         return found
     for loop in _inner(loops, found.sweep, within):
-        rings = found.sweep.rings
-        if any(are_close(loop, ring.line, ALIKE * scene.size) for ring in rings):
-            continue
-        for hole in _cut_holes(loop, found.sweep, scene.skeleton.pen_width):
-            holed = priced(scene, replace(found.sweep, rings=in_one_frame((*rings, hole))))
+        outer, *holes = found.sweep.rings
+        # one that is there already may have been told by a worse line
+        others = [hole for hole in holes if not are_close(loop, hole.line, ALIKE * scene.size)]
+        begun = replace(found.sweep, rings=(outer, *others))
+        for hole in _cut_holes(loop, begun, scene.skeleton.pen_width):
+            holed = priced(scene, replace(begun, rings=in_one_frame((*begun.rings, hole))))
             if holed.nats < found.nats + HOPEFUL:
                 found = cheapest((found, moved(holed, scene)))
     return found
@@ -124,18 +154,26 @@ def _simpler(found: FoundSweep, scene: Scene) -> FoundSweep:
 
 
 def _cheaper(found: FoundSweep, scene: Scene) -> Iterator[FoundSweep]:
-    """The same with fewer vertices or arcs, if that is cheaper."""
-    short = SHORT * scene.size
-    for k, ring in enumerate(found.sweep.rings):
+    """The same with fewer holes, vertices or arcs, if that is cheaper."""
+    for rings, hopeful in _fewer(found.sweep.rings, SHORT * scene.size):
+        way = priced(scene, replace(found.sweep, rings=rings))
+        if way.nats < found.nats + hopeful:
+            way = moved(way, scene)
+        if cheapest((found, way)) is way:
+            yield way
+
+
+def _fewer(rings: tuple[Outline, ...], short: float) -> Iterator[tuple[tuple[Outline, ...], float]]:
+    """The rings without a hole, or with fewer vertices or arcs, and how many nats that may gain by being moved."""
+    for k, ring in enumerate(rings):
+        before, after = rings[:k], rings[k + 1 :]
+        if k:
+            # the far rim of a hole may have been taken for another hole
+            yield (*before, *after), HOPEFUL
         less = ((other, HOPEFUL) for other in _with_one_less(ring))
         without = ((other, HOPEFUL_NOTCH) for other in _without_notches(ring, short))
         for other, hopeful in chain(less, without):
-            rings = tuple(other if m == k else r for m, r in enumerate(found.sweep.rings))
-            way = priced(scene, replace(found.sweep, rings=rings))
-            if way.nats < found.nats + hopeful:
-                way = moved(way, scene)
-            if cheapest((found, way)) is way:
-                yield way
+            yield (*before, other, *after), hopeful
 
 
 def _without_notches(ring: Outline, short: float) -> Iterator[Outline]:

@@ -31,6 +31,7 @@ from sketch2shape.sweeps import (
     distinct_directions,
     ellipses,
     enclosed_loops,
+    eroded_outline,
     in_one_frame,
     joints,
     pyramids,
@@ -70,8 +71,8 @@ WORSE = 0.2
 """Part of the ink that a pair may explain less than the best of its batch."""
 ALIKE = 0.02
 """Fraction of the drawing's size within which two outlines, or their images, are one."""
-SHALLOW_PENS, SHALLOW = 3.0, 0.02
-"""Pens, and fraction of the drawing's size, below which there is no depth."""
+SHALLOW_PENS, SHALLOW = 2.0, 0.015
+"""Pens, and fraction of the drawing's size, below which there is no depth: two lines side by side are one pen apart."""
 BARELY = 0.06
 """Fraction of the drawing's size by which a point lies outside its round base at least."""
 LEAST_SCALE = 0.12
@@ -280,10 +281,19 @@ def _coherent(scene: Scene) -> Iterator[Pair]:
 
 
 def pairs_of_rungs(scene: Scene) -> list[Pair]:
-    """The same by shifts that rungs tell, if they are others."""
+    """The same by shifts that rungs tell, if they are others, and what the drawing covers eroded by each of these."""
     near = ALIKE * scene.size
     others = [s for s in scene.wire_shifts if all(np.hypot(*(s - t)) > near for t in (*scene.shifts, *-scene.shifts))]
-    return [p.valued(scene.cells) for p in _coherent_by(others, scene) if not is_flat(p.way, p.loop.line, scene)]
+    every = (*_coherent_by(others, scene), *_eroded(scene))
+    return [p.valued(scene.cells) for p in every if not is_flat(p.way, p.loop.line, scene)]
+
+
+def _eroded(scene: Scene) -> Iterator[Pair]:
+    """The front faces of thin wireframes, whose lines run into each other."""
+    for shift in scene.wire_shifts:
+        line = eroded_outline(scene.skeleton.mask, shift)
+        if line is not None:
+            yield Pair(Loop(line), Way(shift), is_whole=True)
 
 
 def _coherent_by(some: Iterable[Floats], scene: Scene) -> Iterator[Pair]:

@@ -38,7 +38,7 @@ VAIN = 0.4
 answers on 50 drawings left 0.33 at most."""
 APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
-LEAST_BEHIND, BESIDE = 0.08, 0.02
+LEAST_BEHIND, BESIDE = 0.08, 0.012
 """Length of what is seen behind a near front face, over that of its outline, at least; and fraction of the drawing's
 size within which it is beside that outline."""
 
@@ -96,7 +96,8 @@ def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
         yield _begun(pairs, scene, arcs=arcs)
     put = joined(scene.skeleton, scene.joints, scene.wire_shifts, scene.size)
     together: list[_Begun] = [(priced(scene, s), iter(())) for s in put if arcs or s.has_arcs]
-    yield [*together, *_begun(pairs_of_rungs(scene), scene, arcs=arcs)]
+    covered = _begun(pairs_of_rungs(scene), scene, arcs=True)
+    yield [*together, *(b for b in covered if arcs or b[0].sweep.has_arcs)]
     for pairs in batches:
         yield _begun(pairs, scene, arcs=arcs)
     yield [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]

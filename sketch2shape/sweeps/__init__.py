@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from sketch2shape.sweeps.cells import Cells
+from sketch2shape.sweeps.eroded import eroded_outline
 from sketch2shape.sweeps.joined import joined
 from sketch2shape.sweeps.loops import LEAST_COHERENT, LEAST_PATH, Loop, coherent_loops, ellipses, enclosed_loops
 from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
 from sketch2shape.sweeps.pieces import cut_ring, rounded
 from sketch2shape.sweeps.pyramids import pyramids
 from sketch2shape.sweeps.retracing import retraced
-from sketch2shape.sweeps.rungs import joints, wire_shifts
+from sketch2shape.sweeps.rungs import joints, rung_ends, wire_shifts
 from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
 from sketch2shape.sweeps.ways import (
     centres,
@@ -40,6 +41,7 @@ __all__ = [
     "distinct_directions",
     "ellipses",
     "enclosed_loops",
+    "eroded_outline",
     "in_one_frame",
     "joined",
     "joints",
@@ -47,6 +49,7 @@ __all__ = [
     "redraw",
     "retraced",
     "rounded",
+    "rung_ends",
     "seen_vertices",
     "settled",
     "settled_wire",

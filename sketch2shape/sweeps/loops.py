@@ -91,7 +91,7 @@ def enclosed_loops(ink: Bools, pen: float) -> list[Floats]:
     for k in [k for k in order if k != outside][:MOST_LOOPS]:
         x, y, wide, high = stats[k, :4]
         part = as_gray(np.pad(labels[y : y + high, x : x + wide] == k, int(pen) + 3).astype(np.uint8))
-        loops.append(_border(_grown(part, 0.5 * pen)) + [x - int(pen) - 5, y - int(pen) - 5])
+        loops.append(border(_grown(part, 0.5 * pen)) + [x - int(pen) - 5, y - int(pen) - 5])
     # what lies between an outline and a hole has a small area, and the outline for its border
     return sorted((p for p in loops if len(p) >= 12), key=lambda p: -cv2.contourArea(p.astype(np.float32)))
 
@@ -100,7 +100,8 @@ def _grown(part: Gray, by: float) -> Gray:
     return as_gray((cv2.distanceTransform(1 - part, cv2.DIST_L2, cv2.DIST_MASK_5) <= by).astype(np.uint8))
 
 
-def _border(part: Gray) -> Floats:
+def border(part: Gray) -> Floats:
+    """(k, 2) the outermost pixels of the largest region of a mask, in order."""
     contours, _ = cv2.findContours(part, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     return np.asarray(max(contours, key=len)[:, 0], float)
 

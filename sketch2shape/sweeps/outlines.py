@@ -141,6 +141,13 @@ class Outline:
             return centre, (short, long), along % 180.0
         return centre, (long, short), (along + 90.0) % 180.0
 
+    def within(self, frame: Frame) -> Outline:
+        """The same in another frame; a circle keeps its middle in the picture and its radius across."""
+        circle = self.circle
+        if circle is not None:
+            circle = Circle(frame.flat(self.middle), circle.radius)
+        return replace(self, frame=frame, circle=circle)
+
     def moved(self, centre: Floats, scale: float) -> Outline:
         """The same scaled about a point of the picture."""
         vertices = centre + scale * (self.vertices - centre)
@@ -169,15 +176,7 @@ def in_one_frame(rings: Sequence[Outline]) -> tuple[Outline, ...]:
     if not curved:
         return tuple(rings)
     frame = max(curved, key=lambda ring: float(np.hypot(*np.ptp(ring.line, axis=0)))).frame
-    return tuple(_within(ring, frame) for ring in rings)
-
-
-def _within(ring: Outline, frame: Frame) -> Outline:
-    """The ring in another frame; a circle keeps its middle in the picture and its radius across."""
-    circle = ring.circle
-    if circle is not None:
-        circle = Circle(frame.flat(ring.frame.seen(circle.centre)), circle.radius)
-    return replace(ring, frame=frame, circle=circle)
+    return tuple(ring.within(frame) for ring in rings)
 
 
 def polygon(vertices: Floats) -> Outline:

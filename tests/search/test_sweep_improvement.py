@@ -4,15 +4,27 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from round_sketches import ARCH, FACING, arch, drawn
+from round_sketches import ARCH, FACING, UPRIGHT, arch, drawn, ellipse, slot
 from sketches import ink_of
 
 from sketch2shape.ink import split_groups
 from sketch2shape.search.found_sweep import priced
 from sketch2shape.search.observed import observed
-from sketch2shape.search.sweep_improvement import _without_notches, finished
+from sketch2shape.search.sweep_improvement import _at_rungs, _without_notches, finished, with_holes
 from sketch2shape.search.sweep_pairs import Scene
-from sketch2shape.sweeps import Outline
+from sketch2shape.sweeps import Outline, Sweep, Way
+
+WASHER = Sweep((ellipse(), ellipse(radius=40.0)), Way(np.array([0.0, 24.0])))
+"""A plate that is thinner than its hole is wide: both rims of that are seen in each other."""
+SLOT = slot(Way(np.array([70.0, 50.0])), tangents=True)
+
+
+def put_on(picture, sweep):
+    """A sweep of that picture held against it, and the scene."""
+    (group,) = split_groups(ink_of(picture))
+    seen = observed(group)
+    scene = Scene(seen.drawn, seen.skeleton, seen.view)
+    return priced(scene, sweep.shifted(-group.offset)), scene
 
 
 def notched():
@@ -49,9 +61,33 @@ def test_a_ring_of_arcs_may_be_a_circle():
 
 
 def test_the_drawing_shows_that_the_notch_is_none():
-    (group,) = split_groups(ink_of(drawn(ARCH)))
-    seen = observed(group)
-    scene = Scene(seen.drawn, seen.skeleton, seen.view)
-    found = finished(priced(scene, replace(ARCH, rings=(notched(),)).shifted(-group.offset)), scene)
+    found = finished(*put_on(drawn(ARCH), replace(ARCH, rings=(notched(),))))
     assert len(found.sweep.rings[0].vertices) == 4
     assert found.sweep.rings[0].curved.sum() == 1
+
+
+def test_the_far_rim_of_a_hole_is_no_hole():
+    far = WASHER.rings[1].shifted(WASHER.way.shift)
+    found = finished(*put_on(drawn(WASHER), replace(WASHER, rings=(*WASHER.rings, far))))
+    assert [ring.circle is not None for ring in found.sweep.rings] == [True, True]
+
+
+def test_a_hole_told_by_a_worse_line_gives_way_to_a_better_one():
+    rim = WASHER.rings[1]
+    ends = rim.middle + np.array([[-39.0, 0.0], [39.0, 0.0]])
+    lens = Outline(UPRIGHT, ends, np.full(2, -0.85), np.zeros(2, bool))
+    found, scene = put_on(drawn(WASHER), replace(WASHER, rings=(WASHER.rings[0], lens)))
+    offset = WASHER.rings[0].middle - found.sweep.rings[0].middle
+    better = with_holes(found, scene, [rim.line - offset])
+    assert better.nats < found.nats
+    assert [ring.circle is not None for ring in better.sweep.rings] == [True, True]
+
+
+def test_lines_between_the_faces_tell_where_vertices_lie():
+    (ring,) = SLOT.rings
+    true, along = ring.vertices, np.array([9.0, 0.0])
+    astray = replace(ring, vertices=true + [along, 0 * along, 0 * along, -along])
+    found, scene = put_on(drawn(SLOT), replace(SLOT, rings=(astray,)))
+    offset = astray.vertices[1] - found.sweep.rings[0].vertices[1]
+    put = _at_rungs(found, scene)
+    assert np.abs(put.sweep.rings[0].vertices + offset - true).max() < 3.0

@@ -6,12 +6,14 @@ from types import SimpleNamespace
 import cv2
 import numpy as np
 import pytest
-from round_sketches import ARCH, CONE, CYLINDER, PYRAMID, TUBE, drawn, ellipse, half_disc, plate, slot
+from round_sketches import ARCH, CONE, CYLINDER, FACING, PYRAMID, TUBE, drawn, ellipse, half_disc, plate, slot
 from sketches import DEPTH, ink_of, paper, prism
 
+from sketch2shape.ink import split_groups
 from sketch2shape.search import FoundSweep, find_all, sweep_as_object
-from sketch2shape.search.sweeping import VAIN, _is_vain, _likely_pyramids
-from sketch2shape.sweeps import Frame, Sweep, Way
+from sketch2shape.search.observed import observed
+from sketch2shape.search.sweeping import VAIN, _is_vain, _likely_pyramids, find_sweep
+from sketch2shape.sweeps import Frame, Outline, Sweep, Way
 from sketch2shape.sweeps.outlines import polygon
 
 HALF_CYLINDER = Sweep((half_disc(),), Way(np.array([110.0, -70])))
@@ -128,6 +130,23 @@ def test_lines_may_be_drawn_at_smooth_joints(tangents):
     assert found.sweep.tangents is tangents
     assert len(ring.vertices) == 4
     assert ring.curved.sum() == 2
+
+
+def test_a_wireframe_may_be_hardly_deeper_than_its_lines_are_wide():
+    ring = Outline(FACING, np.array([[60.0, 300], [420, 300]]), np.array([-0.5, 0.0]), np.zeros(2, bool))
+    (group,) = split_groups(ink_of(drawn(Sweep((ring,), Way(np.array([0.0, 9.0]))))))
+    found = find_sweep(observed(group))
+    assert found.unexplained < 0.05
+    assert found.confidence > 0.7
+    assert [len(ring.vertices) for ring in found.sweep.rings] == [2]
+
+
+def test_a_thin_wireframe_whose_arcs_are_too_short_to_bow_is_found_by_what_it_covers():
+    whole = plate(Way(np.array([10.0, 9])))
+    (group,) = split_groups(ink_of(drawn(replace(whole, rings=whole.rings[:1], tangents=True))))
+    found = find_sweep(observed(group), arcs=False)
+    assert found.unexplained < 0.02
+    assert [(len(ring.vertices), ring.curved.sum()) for ring in found.sweep.rings] == [(8, 4)]
 
 
 def test_a_shift_grows_over_the_face_in_perspective():
