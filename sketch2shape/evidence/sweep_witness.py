@@ -36,12 +36,12 @@ FEW_LINES = 4
 WHOLE = {
     "unexplained": (0.02, 0.1),
     "closed": (0.01, 0.03),
-    "missing": (1.0, 3.0),
+    "missing": (2.5, 4.5),
     "chords": (0.0, 0.1),
     "lone": (0.0, 1.0),
 }
-"""Witnesses against a sweep that explains all ink and lacks none: values up to which nothing speaks against it, and from
-which much does, as in `calibration`; of what is missing the logarithm of nats."""
+"""Witnesses against a sweep that explains all ink and lacks none: values up to which nothing speaks against it, and
+from which much does, as in `calibration`; of what is missing the logarithm of nats."""
 MOST_GAP = 150.0
 """Nats to the next best answer beyond which more say no more."""
 

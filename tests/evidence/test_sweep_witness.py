@@ -33,7 +33,7 @@ def test_the_true_one_has_nothing_against_it(sweep, lines):
     for name in ("unexplained", "attached", "closed"):
         assert seen[name] < 0.05, name
     assert seen["missing"] < np.log1p(10.0)
-    assert seen["whole"] > 0.5
+    assert seen["whole"] == (1.0 if sweep is ARCH else 0.0), "few lines fit many objects"
 
 
 def test_foreign_ink_is_told_by_length_and_whether_it_touches():
