@@ -43,18 +43,27 @@ class Answer(NamedTuple):
     half: str
 
 
-def fitted(answers: Sequence[Answer], terms: Callable[[Floats, Weights], Floats], bounds: Sequence[Bounds]) -> Weights:
+def fitted(
+    answers: Sequence[Answer],
+    terms: Callable[[Floats, Weights], Floats],
+    bounds: Sequence[Bounds],
+    *,
+    bias: Bounds = FREE,
+    scale: Weights | None = None,
+) -> Weights:
     """Mean and standard deviation of each witness, weight of each term, and the bias.
 
     answers : all that are to be fitted, of either half
     terms   : (k, w) witnesses and their mean and spread to (k, t) what is weighed
-    bounds  : t of them, between which the weights have to lie; the bias is free
+    bounds  : t of them, between which the weights have to lie
+    bias    : between which it has to lie
+    scale   : whose mean and spread are taken; those of the answers where it is None
     """
     if not answers:
         raise ValueError("no answer was found: there is nothing to fit")
     x = np.nan_to_num(np.array([a.witnesses for a in answers]))
     right = np.array([a.right for a in answers], float)
-    flat = Weights(tuple(x.mean(axis=0)), tuple(np.maximum(x.std(axis=0), LEAST_SPREAD)))
+    flat = scale or Weights(tuple(x.mean(axis=0)), tuple(np.maximum(x.std(axis=0), LEAST_SPREAD)))
     z = np.column_stack([terms(x, flat), np.ones(len(x))])
 
     def loss(w: Floats) -> tuple[float, Floats]:
@@ -63,7 +72,7 @@ def fitted(answers: Sequence[Answer], terms: Callable[[Floats, Weights], Floats]
         cost = float(np.logaddexp(0.0, np.where(right > 0, -t, t)).sum() + 0.5 * RIDGE * held @ held)
         return cost, z.T @ (1.0 / (1.0 + np.exp(-t)) - right) + RIDGE * held
 
-    w = minimize(loss, np.zeros(z.shape[1]), jac=True, method="L-BFGS-B", bounds=[*bounds, FREE]).x
+    w = minimize(loss, np.zeros(z.shape[1]), jac=True, method="L-BFGS-B", bounds=[*bounds, bias]).x
     centre, spread, weight = (tuple(round(float(v), DIGITS) for v in p) for p in (flat.centre, flat.spread, w[:-1]))
     return Weights(centre, spread, weight, round(float(w[-1]), DIGITS))
 

@@ -1,6 +1,7 @@
 """Fit how sure an answer is to what speaks for and against it, and say how well that holds.
 
     python scripts/fit_confidence.py                        fit, report both halves, write evidence/weights.py
+    python scripts/fit_confidence.py --only chords          the weight of one witness; all others stay as they are
     python scripts/fit_confidence.py --sets fresh --check   the weights that are there, on drawings made anew
 
 A logistic regression of right and wrong on the witnesses (`sketch2shape.evidence.witness`), and one on how sure that
@@ -64,9 +65,11 @@ def main() -> None:
     weights, rivals = Weights(), AGAINST_RIVALS
     if not args.check:
         even = [a for a in every if a.half == "even"]
-        weights = fitted([a._replace(witnesses=a.witnesses[:-1]) for a in even], terms, BOUNDS)
-        beside_rivals = [a._replace(witnesses=_beside(a, weights)) for a in even]
-        rivals = fitted(beside_rivals, standardised, (FOR, AGAINST))
+        alone = [a._replace(witnesses=a.witnesses[:-1]) for a in even]
+        weights = _with_one(alone, args.only, weights) if args.only else fitted(alone, terms, BOUNDS)
+        if not args.only:
+            beside_rivals = [a._replace(witnesses=_beside(a, weights)) for a in even]
+            rivals = fitted(beside_rivals, standardised, (FOR, AGAINST))
         for path, text in (
             (WEIGHTS, module_text(ABOUT, weights, WITNESSES, TERMS)),
             (RIVAL_WEIGHTS, module_text(ABOUT_RIVALS, rivals, BESIDE, BESIDE)),
@@ -76,6 +79,12 @@ def main() -> None:
     told = {name: [a._replace(witnesses=_beside(a, weights)) for a in some] for name, some in sets.items()}
     told["all"] = [a for some in told.values() for a in some]
     print(promise(told, lambda seen: probability(standardised(seen, rivals), rivals)))
+
+
+def _with_one(answers: list[Answer], only: str, held: Weights) -> Weights:
+    """These weights but that of one witness, which is fitted beside them."""
+    bounds = [b if n == only else (w, w) for n, b, w in zip(TERMS, BOUNDS, held.weight, strict=True)]
+    return fitted(answers, terms, bounds, bias=(held.bias, held.bias), scale=held)
 
 
 def _beside(answer: Answer, weights: Weights) -> Floats:
@@ -119,6 +128,7 @@ def _arguments() -> argparse.Namespace:
     add_sets(parser, SETS)
     add_drawings(parser, seed=31, per_category=2)
     add_work(parser, seconds=60)
+    parser.add_argument("--only", choices=WITNESSES, help="fit the weight of one witness beside those that are there")
     parser.add_argument("--check", action="store_true", help="leave the weights as they are")
     return parser.parse_args()
 

@@ -53,6 +53,15 @@ def test_terms_may_be_more_than_witnesses():
     assert weights.weight[1] == 0
 
 
+def test_one_weight_is_fitted_beside_those_that_are_held():
+    both = [a._replace(witnesses=np.append(a.witnesses, a.right)) for a in MIXED]
+    held = Weights((0.5, 0.25), (2.0, 0.5), (-0.3, 0.0), 0.4)
+    weights = fitted(both, standardised, [(-0.3, -0.3), FREE], bias=(0.4, 0.4), scale=held)
+    assert (weights.centre, weights.spread) == (held.centre, held.spread)
+    assert (weights.weight[0], weights.bias) == (-0.3, 0.4)
+    assert weights.weight[1] > 0.5
+
+
 def test_of_nothing_there_is_no_fit():
     with pytest.raises(ValueError, match="no answer"):
         fitted([], standardised, [FREE])
