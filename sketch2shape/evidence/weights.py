@@ -15,7 +15,7 @@ CENTRE = (
     5.0296,  # small
     0.0623,  # doubled
     1.3182,  # map
-    0.01,  # chords
+    0.0062,  # chords
 )
 SPREAD = (
     0.1905,  # unexplained
@@ -32,7 +32,7 @@ SPREAD = (
     0.6479,  # small
     0.1738,  # doubled
     0.2228,  # map
-    0.1,  # chords
+    0.0631,  # chords
 )
 WEIGHT = (
     2.0782,  # whole
@@ -50,6 +50,6 @@ WEIGHT = (
     1.1756,  # small
     -0.713,  # doubled
     -0.7826,  # map
-    0.0,  # chords
+    -0.574,  # chords
 )
 BIAS = 0.8902
