@@ -18,7 +18,7 @@ from sketch2shape.search.exact import Verified, find_exact
 from sketch2shape.search.found import Found
 from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.search.observed import Observed, observed
-from sketch2shape.search.search import find, leaves_nothing
+from sketch2shape.search.search import find
 from sketch2shape.search.sweeping import SLIGHT, find_pyramid, find_sweep
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_PATH
@@ -35,9 +35,8 @@ rounds corners."""
 OBTUSE = 16.0
 """Angle of a bend, radians, times length of the shorter chord beside it, over what chords may stray, from which it is a
 corner: chords of an arc turn by eight over their length, and hands are twice as careless."""
-LEAST_BENDS, SHARP, LEAST_TURN = 3, 0.65, 0.6
-"""Bends of an arc at least, as a corner that a pen has rounded has two; angle of one from which it is a corner, and by
-which it turns to one side, radians."""
+LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
+"""Bends of an arc at least, angle of one from which it is a corner, and by which it turns to one side, radians."""
 
 LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
@@ -114,7 +113,7 @@ def find_one(group: Group) -> AnyFound | None:
 def _find_other(seen: Observed, straight: Found | None, *, some_bowed: bool) -> FoundSweep | None:
     """The best answer with arcs, holes or an apex, where few lines bow and what the straight one leaves tells it."""
     below = np.inf if straight is None or straight.energy is None else straight.energy.total
-    if straight is None or _is_doubted(straight) or (some_bowed and not leaves_nothing(straight)):
+    if straight is None or _is_doubted(straight) or some_bowed:
         return find_sweep(seen, arcs=some_bowed, below=below)
     return find_pyramid(seen, below) if _may_be_pointed(straight) else None
 

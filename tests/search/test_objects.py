@@ -121,14 +121,6 @@ def test_a_silhouette_with_obtuse_corners_is_no_arc():
     assert objects.bowed_part(skeleton, 500.0) == 0.0
 
 
-def test_a_corner_that_a_pen_has_rounded_is_no_arc():
-    ends = np.array([[60.0, 60], [180, 60], [190, 64], [270, 144]])
-    t = np.linspace(0.0, 1.0, 110, endpoint=False)[:, None]
-    path = np.concatenate([a + t * (b - a) for a, b in pairwise(ends)])
-    skeleton = SimpleNamespace(paths=[np.rint(path).astype(np.int32)], pen_width=2.0)
-    assert objects.bowed_part(skeleton, 500.0) == 0.0
-
-
 @pytest.mark.parametrize(("lines", "foreign", "asked"), [("wire", 20.0, 1), ("removed", 20.0, 0), ("wire", 1.0, 0)])
 def test_a_sure_wireframe_is_searched_for_narrow_holes_where_ink_is_left(monkeypatch, lines, foreign, asked):
     sure, calls = _sure(monkeypatch, lines, foreign), []
