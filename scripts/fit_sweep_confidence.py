@@ -47,8 +47,8 @@ KINDS = ("cylinder_*", "tube_*", "plate_*", "arcs_*", "cone_*", "frustum_*", "py
 OTHERS = ("curved", "abc", "hard", "real", "real2")
 """Sets of drawings that are not in this repository."""
 EITHER = {"numbers", "shallow", "small", "pointed", "holes"}
-"""Witnesses that may speak for an answer or against it; `gap` and `whole` speak for it, all others against."""
-BOUNDS = tuple(FREE if n in EITHER else FOR if n in ("gap", "whole") else AGAINST for n in SWEEP_WITNESSES)
+"""Witnesses that may speak for an answer or against it; `gap` speaks for it, all others against."""
+BOUNDS = tuple(FREE if n in EITHER else FOR if n == "gap" else AGAINST for n in SWEEP_WITNESSES)
 ABOUT = "Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`; see `sweep_calibration`."
 
 

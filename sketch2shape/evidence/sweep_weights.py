@@ -1,60 +1,57 @@
 """Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`; see `sweep_calibration`."""
 
 CENTRE = (
-    0.1657,  # unexplained
-    0.0552,  # attached
-    0.0303,  # closed
-    0.5953,  # missing
-    0.7293,  # noise
-    4.0022,  # gap
-    2.0708,  # numbers
-    0.0709,  # unseen
-    3.2094,  # shallow
-    5.0733,  # small
-    0.3836,  # pointed
-    0.0314,  # inferred
-    1.5877,  # standing
-    0.4497,  # holes
-    0.261,  # lone
+    0.3123,  # unexplained
+    0.0722,  # attached
+    0.0784,  # closed
+    0.4909,  # missing
+    1.1064,  # noise
+    3.4396,  # gap
+    1.9664,  # numbers
+    0.0502,  # unseen
+    2.8881,  # shallow
+    5.0232,  # small
+    0.4787,  # pointed
+    0.1494,  # inferred
+    2.0536,  # standing
+    0.4299,  # holes
+    0.2104,  # lone
     0.0183,  # chords
-    0.3798,  # whole
 )
 SPREAD = (
-    0.2458,  # unexplained
-    0.1116,  # attached
-    0.0781,  # closed
-    1.2637,  # missing
-    0.862,  # noise
-    1.5045,  # gap
-    0.5524,  # numbers
-    0.1212,  # unseen
-    1.0231,  # shallow
-    0.4743,  # small
-    0.4863,  # pointed
-    0.1745,  # inferred
-    2.6209,  # standing
-    1.0531,  # holes
-    0.4392,  # lone
+    0.3523,  # unexplained
+    0.1463,  # attached
+    0.1386,  # closed
+    1.1548,  # missing
+    0.9606,  # noise
+    1.7682,  # gap
+    0.4899,  # numbers
+    0.1039,  # unseen
+    1.0548,  # shallow
+    0.444,  # small
+    0.4995,  # pointed
+    0.3565,  # inferred
+    2.8719,  # standing
+    1.1321,  # holes
+    0.4076,  # lone
     0.1054,  # chords
-    0.4786,  # whole
 )
 WEIGHT = (
-    -1.12,  # unexplained
-    -0.5563,  # attached
-    -0.8249,  # closed
-    -0.2553,  # missing
-    -0.9728,  # noise
-    0.8137,  # gap
-    -0.9,  # numbers
+    -1.4164,  # unexplained
+    -1.1634,  # attached
+    -0.9017,  # closed
+    -0.5456,  # missing
+    -1.1699,  # noise
+    0.8967,  # gap
+    -0.5544,  # numbers
     0.0,  # unseen
-    0.5979,  # shallow
-    -0.0452,  # small
-    0.1805,  # pointed
+    0.6476,  # shallow
+    0.2882,  # small
+    0.3652,  # pointed
     0.0,  # inferred
-    -0.6195,  # standing
-    0.6901,  # holes
-    0.0,  # lone
+    -0.918,  # standing
+    0.2131,  # holes
+    -0.3682,  # lone
     -0.153,  # chords
-    0.8365,  # whole
 )
-BIAS = -0.5868
+BIAS = -1.8267

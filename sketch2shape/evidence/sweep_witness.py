@@ -28,20 +28,10 @@ SWEEP_WITNESSES = (
     "holes",
     "lone",
     "chords",
-    "whole",
 )
 """Names of the witnesses, in order."""
 FEW_LINES = 4
 """Lines with ink up to which a drawing may as well be a flat figure."""
-WHOLE = {
-    "unexplained": (0.02, 0.1),
-    "closed": (0.01, 0.03),
-    "missing": (2.5, 4.5),
-    "chords": (0.0, 0.1),
-    "lone": (0.0, 1.0),
-}
-"""Witnesses against a sweep that explains all ink and lacks none: values up to which nothing speaks against it, and
-from which much does, as in `calibration`; of what is missing the logarithm of nats."""
 MOST_GAP = 150.0
 """Nats to the next best answer beyond which more say no more."""
 
@@ -60,7 +50,7 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
     depth = float(np.median(np.hypot(*sweep.way.of(line).T)))
     # edges that ink lies on: a figure of few lines fits many objects
     lines = len(np.unique(edge[~left])) if (~left).any() else 0
-    told = np.array(
+    return np.array(
         [
             unexplained_part(energy, compared),
             attached(view, left, distance, view.size) / ink,
@@ -80,16 +70,6 @@ def sweep_witnesses(sweep: Sweep, energy: Energy, compared: Comparison, gap: flo
             _chords(sweep, view.points[left], near_line(energy.noise), view.size),
         ]
     )
-    return np.append(told, _whole(told))
-
-
-def _whole(told: Floats) -> float:
-    """How far all ink is explained and none missing, 1 if nothing speaks against it."""
-    seen = (
-        np.clip((much - told[SWEEP_WITNESSES.index(name)]) / (much - none), 0.0, 1.0)
-        for name, (none, much) in WHOLE.items()
-    )
-    return float(np.prod(list(seen)))
 
 
 def _chords(sweep: Sweep, foreign: Floats, reach: float, size: float) -> float:

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from sketches import line as draw_line
+from sketches import outline
 
+from sketch2shape.errors import NoObjectError
 from sketch2shape.evidence.chords import chords, faces_of
 from sketch2shape.hypotheses import frame
+from sketch2shape.pipeline import reconstruct
 
 FRONT = np.array([[0.0, 100.0], [100.0, 100.0], [100.0, 0.0], [0.0, 0.0]])
 BOX = np.concatenate([FRONT, FRONT + [40.0, -30.0]])
@@ -59,3 +63,16 @@ def test_a_line_that_an_edge_is_a_part_of_counts():
 def test_an_answer_without_vertices_has_none():
     nothing = np.zeros((0, 2))
     assert chords(line((0, 0), (9, 9)), nothing, np.zeros((0, 2), int), list, 2.0, SIZE) == 0.0
+
+
+def test_a_pentagon_with_two_diagonals_is_hardly_an_object():
+    turn = 0.4 * np.pi * np.arange(5) - 0.5 * np.pi
+    ring = np.array([200.0, 200.0]) + 130.0 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    picture = outline(ring)
+    for one, other in ((0, 2), (2, 4)):
+        draw_line(picture, ring[one], ring[other])
+    try:
+        sure = [found.confidence for found in reconstruct(picture).objects]
+    except NoObjectError:
+        sure = []
+    assert all(confidence < 0.3 for confidence in sure)

@@ -33,7 +33,6 @@ def test_the_true_one_has_nothing_against_it(sweep, lines):
     for name in ("unexplained", "attached", "closed"):
         assert seen[name] < 0.05, name
     assert seen["missing"] < np.log1p(10.0)
-    assert seen["whole"] == (1.0 if sweep is ARCH else 0.0), "few lines fit many objects"
 
 
 def test_foreign_ink_is_told_by_length_and_whether_it_touches():
@@ -65,7 +64,6 @@ def test_what_an_object_has_and_the_drawing_lacks_is_missing():
     seen, _, energy = seen_in(drawn(CYLINDER), TUBE)
     assert seen["missing"] == pytest.approx(np.log1p(energy.missing))
     assert energy.missing > 30
-    assert seen["whole"] == 0.0
 
 
 @pytest.mark.parametrize("width", [2, 6])
