@@ -48,7 +48,7 @@ OTHERS = ("curved", "abc", "hard", "real", "real2")
 """Sets of drawings that are not in this repository."""
 EITHER = {"numbers", "shallow", "small", "pointed", "holes"}
 """Witnesses that may speak for an answer or against it; `gap` speaks for it, all others against."""
-BOUNDS = tuple(FREE if n in EITHER else FOR if n == "gap" else AGAINST for n in SWEEP_WITNESSES)
+BOUNDS = tuple(FREE if name in EITHER else FOR if name == "gap" else AGAINST for name in SWEEP_WITNESSES)
 ABOUT = "Weights of the witnesses of sweeps, written by `scripts/fit_sweep_confidence.py`; see `sweep_calibration`."
 
 

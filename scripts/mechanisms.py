@@ -158,6 +158,10 @@ MECHANISMS = (
     Mechanism("long foreign strokes are cheaper", _in("evidence.view", STROKE_UNIT=HUGE)),
     Mechanism("strokes across others are told once", _in("evidence.view", MOST_LINKED=0)),
     Mechanism("specks are cheap", _in("evidence.view", SPECK=1.0, DASH=1.0)),
+    Mechanism(
+        "chords make flat figures doubtful",
+        _in("evidence.witness", chords=_always(0.0)) | _in("evidence.sweep_witness", chords=_always(0.0)),
+    ),
     Mechanism("rivals make answers doubtful", _in("search.search", rivalry=_always(0.0))),
     Mechanism("faces alone are no objects", _in("search.search", LEAST_DRAWN=0)),
     # sources of straight objects
@@ -182,6 +186,9 @@ MECHANISMS = (
     Mechanism("sweeps: wireframes", _in("search.sweep_pairs", _coherent=_NONE)),
     Mechanism("sweeps: loops moved", _in("search.sweep_pairs", _moved=_NONE)),
     Mechanism("sweeps: loops drawn together", _in("search.sweep_pairs", _drawn_together=_NONE)),
+    Mechanism("sweeps: thin wireframes by what they cover", _in("search.sweep_pairs", eroded_outline=_always(None))),
+    Mechanism("sweeps: small holes", _in("search.sweep_improvement", small_holes=_NONE)),
+    Mechanism("sweeps: vertices at the ends of rungs", _in("search.sweep_improvement", _at_rungs=_first)),
     Mechanism("sweeps: put together from rungs", _in("search.sweeping", joined=_NONE)),
     Mechanism("shifts told by rungs", _in("search.sweep_pairs", wire_shifts=_always([]))),
     Mechanism(

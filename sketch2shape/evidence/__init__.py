@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from sketch2shape.evidence.calibration import EVEN_ODDS, REFUSE_BELOW, Weights, confidence
+from sketch2shape.evidence.chords import faces_of
 from sketch2shape.evidence.detectors_agree import vouched
-from sketch2shape.evidence.energy import LEAST_DRAWN, Comparison, Energy, compare, nearest_edges, with_hidden
+from sketch2shape.evidence.energy import LEAST_DRAWN, Comparison, Energy, compare, near_line, nearest_edges, with_hidden
 from sketch2shape.evidence.exact import exactly_drawn
 from sketch2shape.evidence.redrawing import compare_sweep
 from sketch2shape.evidence.rivals import against_rivals, rivalry
@@ -34,12 +35,14 @@ __all__ = [
     "compare_sweep",
     "confidence",
     "exactly_drawn",
+    "faces_of",
     "is_crosswise",
     "is_dashed",
     "judge",
     "judge_all",
     "judge_stack",
     "most_possible",
+    "near_line",
     "nearest_edges",
     "observe",
     "rivalry",

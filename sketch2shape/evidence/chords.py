@@ -11,11 +11,10 @@ from collections.abc import Callable, Sequence
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from sketch2shape.evidence.overlaps import HALF, ONE_WAY, PLACES
 from sketch2shape.geometry import cross
-from sketch2shape.model import Bools, Floats, Ints
+from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
 
 INKED = 0.8
 """Fraction of a chord from which on it is a line that someone drew."""
@@ -24,7 +23,6 @@ SHORTEST = 0.1
 
 Faces = Sequence[Floats]
 """Outlines, (m, 2) float each."""
-Raster = NDArray[np.uint8]
 
 
 def chords(foreign: Floats, v: Floats, edges: Ints, faces: Callable[[], Faces], reach: float, size: float) -> float:
@@ -36,8 +34,10 @@ def chords(foreign: Floats, v: Floats, edges: Ints, faces: Callable[[], Faces], 
     faces   : gives the outlines, pixels, that together cover the answer
     reach   : pixels from a line within which ink is its own
     """
+    if not len(foreign):
+        return 0.0
     one, other = _pairs(v, edges, SHORTEST * size)
-    if len(foreign) == 0 or len(one) == 0:
+    if not len(one):
         return 0.0
     on = v[one, None] + PLACES * (v[other] - v[one])[:, None]
     corner, extent = np.floor(v.min(axis=0)) - 1.0, np.ceil(np.ptp(v, axis=0)).astype(int) + 3
@@ -51,7 +51,7 @@ def chords(foreign: Floats, v: Floats, edges: Ints, faces: Callable[[], Faces], 
 
 
 def faces_of(front: Floats, back: Floats) -> Faces:
-    """Both faces of an answer, (m, 2) pixels each, and the sides between them."""
+    """Both faces of an answer, (m, 2) pixels each, and the sides between them, (4, 2) each."""
     sides = np.stack([front, np.roll(front, -1, axis=0), np.roll(back, -1, axis=0), back], axis=1)
     return [front, back, *sides]
 
@@ -64,24 +64,24 @@ def _pairs(v: Floats, edges: Ints, shortest: float) -> tuple[Ints, Ints]:
     return one, other
 
 
-def _inked(foreign: Floats, extent: Ints, reach: float) -> Raster:
+def _inked(foreign: Floats, extent: Ints, reach: float) -> Gray:
     """Where foreign ink is near."""
     mask = np.zeros((extent[1], extent[0]), np.uint8)
     x, y = np.rint(foreign).astype(np.intp).T
     inside = (x >= 0) & (y >= 0) & (x < extent[0]) & (y < extent[1])
     mask[y[inside], x[inside]] = 1
     wide = 2 * int(np.ceil(reach)) + 1
-    return np.asarray(cv2.dilate(mask, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (wide, wide))))
+    return as_gray(cv2.dilate(mask, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (wide, wide))))
 
 
-def _silhouette(faces: Faces, corner: Floats, extent: Ints) -> Raster:
+def _silhouette(faces: Faces, corner: Floats, extent: Ints) -> Gray:
     mask = np.zeros((extent[1], extent[0]), np.uint8)
     for face in faces:
         cv2.fillPoly(mask, [np.rint(face - corner).astype(np.int32)], 1)
-    return np.asarray(cv2.dilate(mask, np.ones((3, 3), np.uint8)))
+    return as_gray(cv2.dilate(mask, np.ones((3, 3), np.uint8)))
 
 
-def _covered(on: Floats, mask: Raster) -> Floats:
+def _covered(on: Floats, mask: Gray) -> Floats:
     """(c,) of the places (c, n, 2) on each chord the fraction that a mask covers."""
     x, y = np.rint(on).astype(np.intp).transpose(2, 0, 1)
     return np.asarray(mask[y, x].mean(axis=1))

@@ -185,7 +185,7 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     """
     one = stack([rings])
     samples = edge_samples(one)
-    depth = hidden_depth(one, samples, margin)[0]
+    depth = hidden_depth(one, margin)[0]
     v, edges = rings.vertices, one.frame.edges
     a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     lengths = np.hypot(span[:, 0], span[:, 1])
@@ -240,7 +240,7 @@ def nearest_edges(points: Floats, a: Floats, span: Floats, shown: Bools | None =
 
 
 def _of_shown(squares: NDArray[np.float32], t: NDArray[np.float32], shown: Bools) -> NDArray[np.float32]:
-    """The squares, infinite where the nearest place of an edge is not shown."""
+    """The squares, made infinite in place where the nearest place of an edge is not shown."""
     n = shown.shape[1]
     part = np.minimum((t * n).astype(np.intp), n - 1) + np.arange(0, shown.size, n)
     squares[~shown.ravel().take(part)] = np.inf

@@ -12,7 +12,7 @@ import numpy as np
 
 from sketch2shape.evidence.overlaps import ONE_WAY
 from sketch2shape.evidence.score import Evidence, drawn_vertices, grown
-from sketch2shape.evidence.visibility import SAMPLES, edge_samples, hidden_depth
+from sketch2shape.evidence.visibility import SAMPLES, hidden_depth
 from sketch2shape.evidence.witness import directions, doubled
 from sketch2shape.geometry import cross
 from sketch2shape.hypotheses import Rings, Stack, stack, which_plausible
@@ -65,7 +65,7 @@ def exactly_drawn(rings: Rings, pieces: Floats, dashed: Bools) -> tuple[Evidence
     laid = _laid(a, span / length[:, None], length, pieces)
     if len(np.unique(laid.piece[laid.is_whole])) < len(pieces):
         return None
-    depth = hidden_depth(one, edge_samples(one), SURELY)[0]
+    depth = hidden_depth(one, SURELY)[0]
     lines = _style(laid, dashed, depth == 2, ~grown(depth[None] >= 1, length[None], DIVES)[0])
     if lines is None or directions(span, length, SPATIAL) < SPATIAL:
         return None

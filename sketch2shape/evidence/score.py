@@ -119,7 +119,7 @@ def judge_stack(stacked: Stack, sheet: Sheet) -> list[Evidence]:
     """Compare hypotheses with rings of the same sizes with the drawing."""
     points = edge_samples(stacked)
     near = sheet.inked(points)
-    depth = hidden_depth(stacked, points, 1.5 * sheet.reach)
+    depth = hidden_depth(stacked, 1.5 * sheet.reach)
     v, edges = stacked.vertices, stacked.frame.edges
     span = v[:, edges[:, 1]] - v[:, edges[:, 0]]
     lengths = np.hypot(span[..., 0], span[..., 1])

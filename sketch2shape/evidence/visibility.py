@@ -44,19 +44,18 @@ def edge_samples(stacked: Stack) -> Floats:
 def hidden_samples(rings: Rings, margin: float) -> tuple[Bools, Bools]:
     """Which edge samples lie behind the object, surely and perhaps: both (3m, SAMPLES) bool (see `hidden_depth`)."""
     one = stack([rings])
-    depth = hidden_depth(one, edge_samples(one), margin)[0]
+    depth = hidden_depth(one, margin)[0]
     return depth == 2, depth >= 1
 
 
-def hidden_depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.uint8]:
+def hidden_depth(stacked: Stack, margin: float) -> NDArray[np.uint8]:
     """(b, 3m, SAMPLES) uint8: 2 for edge samples that surely lie behind the object, 1 for those that perhaps do.
 
-    points : of `edge_samples`
     margin : pixels. What lies deeper than this behind the outline is surely hidden; what is shallower may be a matter
              of the pen
     """
     if len(stacked) > 1:
-        return _depth(stacked, points, margin)
+        return _depth(stacked, margin)
     # the answer of a search is judged, and then held against the drawing
     return _depth_of_one(stacked.vertices.tobytes(), stacked.sizes, margin)
 
@@ -65,13 +64,14 @@ def hidden_depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.ui
 def _depth_of_one(vertices: bytes, sizes: tuple[int, ...], margin: float) -> NDArray[np.uint8]:
     """`hidden_depth` of one hypothesis; read-only."""
     one = Stack(np.frombuffer(vertices).reshape(1, -1, 2), sizes)
-    depth = _depth(one, edge_samples(one), margin)
+    depth = _depth(one, margin)
     depth.flags.writeable = False
     return depth
 
 
-def _depth(stacked: Stack, points: Floats, margin: float) -> NDArray[np.uint8]:
+def _depth(stacked: Stack, margin: float) -> NDArray[np.uint8]:
     """See `hidden_depth`."""
+    points = edge_samples(stacked)
     v, fronts, backs = stacked.vertices, stacked.frame.fronts, stacked.frame.backs
     low = np.floor(v.min(axis=1)) - 3
     high = np.ceil(v.max(axis=1)) + 3

@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.evidence import nearest_edges
+from sketch2shape.evidence import faces_of, nearest_edges
 from sketch2shape.hypotheses import Rings, frame, split
 from sketch2shape.lifting import OTHER_PAIRS
 from sketch2shape.model import Floats
@@ -98,11 +98,8 @@ def _left(skeleton: Skeleton, straight: Found, least: float) -> Skeleton | None:
 
 def _covered(rings: Rings, shape: tuple[int, ...]) -> NDArray[np.uint8]:
     """(h, w) 1 on all faces of the object, and as far beyond them as a hole may lie."""
-    after = frame(rings.sizes).after
-    front, back = np.concatenate(rings.front), np.concatenate(rings.back)
-    sides = np.stack([front, front[after], back[after], back], axis=1)
     drawn = np.zeros(shape, np.uint8)
-    for face in (rings.front[0], rings.back[0], *sides):
+    for face in faces_of(rings.front[0], rings.back[0]):
         outline = np.rint(face).astype(np.int32)
         cv2.fillPoly(drawn, [outline], 1)
         cv2.polylines(drawn, [outline], True, 1, 2 * math.ceil(-INSIDE) + 1)

@@ -79,7 +79,7 @@ def find(seen: Observed) -> Found | None:
     for look in (attempts, second_attempts):
         _search(_noted(look(looks), tried), seen.view, found)
         best = _told(best_of(found))
-        if best is not None and (best.confidence >= TRUSTED or leaves_nothing(best)):
+        if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
     else:
         _search(climbed_attempts(looks, tried), seen.view, found)
@@ -102,7 +102,7 @@ def _above(known: Found | None, looks: Looks, view: View, found: list[Found]) ->
 
 def _looked_at_again(best: Found, looks: Looks, view: View, found: list[Found]) -> Found:
     """A trusted answer, or a cheaper one with more vertices, with one elsewhere, exchanged or left out."""
-    nothing = leaves_nothing(best)
+    nothing = _leaves_nothing(best)
     if not nothing:
         _search(grown_attempts(looks, (best.rings, best.evidence)), view, found)
     found += climb(found, looks, view, 1, closely=nothing)
@@ -207,7 +207,7 @@ def _search(tries: Iterable[Attempt], view: View, found: list[Found]) -> None:
             found += _refined_of(attempt, view, found)
         before, best = best, best_of(found)
         stale = 0 if best is not before and not is_same(before, best) else stale + attempt.is_whole
-        if best is not None and (leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
+        if best is not None and (_leaves_nothing(best) or (stale >= STALE and _is_settled(best))):
             return
     for attempt in poor if best is None or not _is_settled(best) else ():
         found += _refined_of(attempt, view, found)
@@ -221,7 +221,7 @@ def _is_settled(best: Found) -> bool:
     return energy.unexplained < LEFT_OVER * compared.view.all_foreign
 
 
-def leaves_nothing(best: Found) -> bool:
+def _leaves_nothing(best: Found) -> bool:
     """Whether no other hypothesis could save as much as it would cost."""
     energy = best.energy
     return energy is not None and best.evidence.score >= GOOD and energy.unexplained < SETTLED * energy.vertex
@@ -273,7 +273,7 @@ def _is_plainest(found: Found) -> bool:
         return False
     energy = found.compared.energy(found.noise)
     bare = sum(found.rings.sizes) * energy.vertex + LEAST_MAP * energy.digit
-    return energy.shape - bare < PLAIN * energy.digit and leaves_nothing(replace(found, energy=energy))
+    return energy.shape - bare < PLAIN * energy.digit and _leaves_nothing(replace(found, energy=energy))
 
 
 def _is_exact(found: Found) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import cv2
 import numpy as np
 
-from sketch2shape.evidence.energy import near_line
+from sketch2shape.evidence import near_line
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep
 from sketch2shape.search.sweep_pairs import SHALLOW_PENS, Scene

@@ -163,7 +163,7 @@ def test_what_explains_little_is_refined_last_and_only_where_nothing_explains_mo
     done = []
     monkeypatch.setattr(search, "_refined_of", lambda attempt, *_: done.append(attempt.number) or [])
     monkeypatch.setattr(search, "best_of", lambda _: "best" if good and 2 in done else None)
-    monkeypatch.setattr(search, "leaves_nothing", lambda _: True)
+    monkeypatch.setattr(search, "_leaves_nothing", lambda _: True)
     monkeypatch.setattr(search, "_is_scribble", lambda _: False)
     _search([SimpleNamespace(number=n, score=score, is_whole=True) for n, score in ((1, 0.4), (2, good))], None, [])
     assert done == refined
