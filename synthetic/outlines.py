@@ -227,9 +227,13 @@ def round_holes(around: Outline, most: int, rng: np.random.Generator) -> list[Ou
             break
         radius = float(rng.uniform(0.07, 0.2))
         at = rng.uniform(-0.5, 0.5, 2)
-        if room.contains(Point(*at).buffer(radius + 0.07)):
-            found.append(circle(at, radius, -1))
-            room = room.difference(Point(*at).buffer(radius + 0.07))
+        middle, clear = Point(*at), radius + 0.07
+        # the middle alone tells of most, in a tenth of the time
+        if room.contains(middle) and room.boundary.distance(middle) > 0.9 * clear:
+            disc = middle.buffer(clear)
+            if room.contains(disc):
+                found.append(circle(at, radius, -1))
+                room = room.difference(disc)
     return found
 
 
