@@ -46,6 +46,8 @@ ATTACHED = 0.03
 """Part of the ink that touches a straight object and is none of it, from which on it may be a pyramid."""
 CONVERGING = 0.04
 """Shortest edge of a straight object, as a part of the drawing's size, up to which it may be a blurred point."""
+POSSIBLE = 0.3
+"""Confidence from which on an answer with arcs or a point is given where there is no straight one."""
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 
@@ -99,7 +101,7 @@ def find_one(group: Group) -> AnyFound | None:
         return None
     bowed = bowed_part(seen.skeleton, seen.view.size)
     swept = find_sweep(seen) if bowed >= BOWED else None
-    if swept is not None and _is_given(swept) and swept.confidence >= LIKELY and swept.unexplained <= SLIGHT:
+    if swept is not None and _is_given(swept, LIKELY) and swept.unexplained <= SLIGHT:
         return swept
     straight = find(seen)
     drilled = find_drilled(seen, straight) if straight is not None and _leaves_some(straight) else None
@@ -144,7 +146,8 @@ def _may_be_pointed(straight: Found) -> bool:
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
     """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen."""
-    if swept is None or not _is_given(swept):
+    least = EVEN_ODDS if straight is not None and _is_answer(straight) else POSSIBLE
+    if swept is None or not _is_given(swept, least):
         return straight
     if straight is None or straight.energy is None:
         return swept
@@ -152,10 +155,10 @@ def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None
     return swept.against(gap) if gap > 0 else straight
 
 
-def _is_given(swept: FoundSweep) -> bool:
+def _is_given(swept: FoundSweep, least: float) -> bool:
     """Whether it is an answer: an ellipse alone is the base of a cone whose sides are lacking, and of anything."""
     bare = swept.is_lone and swept.energy.missing > LACKING
-    return _is_proper(swept) and swept.confidence >= EVEN_ODDS and not bare
+    return _is_proper(swept) and swept.confidence >= least and not bare
 
 
 def _is_proper(swept: FoundSweep) -> bool:

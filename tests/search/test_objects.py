@@ -168,3 +168,16 @@ def test_a_pyramid_that_may_be_a_prism_is_read_as_one():
     assert found.confidence > 0.8
     assert found.sweep.way.is_pointed
     assert np.hypot(*(found.sweep.way.centre - apex)) < 3
+
+
+@pytest.mark.parametrize(
+    ("straight", "swept", "is_given"),
+    [(None, 0.4, True), (LOW, 0.4, True), (0.3, 0.4, False), (0.3, 0.6, True), (None, 0.25, False)],
+)
+def test_an_unlikely_answer_with_arcs_is_given_where_there_is_no_straight_one(straight, swept, is_given):
+    arcs = SimpleNamespace(
+        confidence=swept, is_lone=False, nats=50.0, sweep=SimpleNamespace(has_arcs=True), against=lambda _: arcs
+    )
+    energy = SimpleNamespace(total=90.0)
+    other = straight and SimpleNamespace(confidence=straight, energy=energy)
+    assert objects._better(other, arcs) is (arcs if is_given else other)

@@ -20,6 +20,7 @@ from sketch2shape.search.found import TIE
 from sketch2shape.search.observed import observed
 from sketch2shape.search.search import (
     DENSE,
+    LAID,
     LOG_ODDS,
     WITNESSED,
     _against,
@@ -279,6 +280,19 @@ def test_a_face_with_nothing_behind_it_is_no_object():
         seen[k] = False
     face = replace(box, evidence=replace(box.evidence, drawn=seen))
     assert _told(face).confidence < REFUSE_BELOW
+
+
+def test_a_face_drawn_twice_is_no_object_unless_all_of_it_is_drawn(monkeypatch):
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
+    box = find(observed(group))
+    told = np.where(np.array(search.WITNESSES) == "doubled", LAID + 0.01, box.witnesses)
+    monkeypatch.setattr(search, "witnesses", lambda *_: told)
+    monkeypatch.setattr(search, "confidence", lambda _: 0.6)
+    assert _told(box).confidence == 0.6
+    hidden = replace(box, evidence=replace(box.evidence, drawn=np.array([True, True, True, False])))
+    assert _told(hidden).confidence < REFUSE_BELOW
+    told[search.WITNESSES.index("doubled")] = LAID - 0.01
+    assert _told(hidden).confidence == 0.6
 
 
 def test_a_table_is_no_object_however_well_it_is_explained(monkeypatch):
