@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketch2shape.evidence import WITNESSES
+from sketch2shape.evidence import REFUSE_BELOW, WITNESSES
 from sketch2shape.ink import enlarged
 from sketch2shape.model import TRUSTED, Ink
 from sketch2shape.search.found import Found
@@ -20,7 +20,8 @@ MOST_PIXELS = 500_000
 def find_closely(ink: Ink) -> tuple[list[AnyFound], Ink]:
     """The best hypothesis for every group of ink that has one, and the ink in whose pixels it is.
 
-    Fine lines are enlarged if no reading of them is likely; what they show then has to be sure, and all there is.
+    Fine lines are enlarged if no reading of them is likely; what they show then has to be all there is, and sure, or
+    likely where there was no answer.
     """
     found = find_all(ink)
     best = max((f.confidence for f in found), default=0.0)
@@ -28,7 +29,8 @@ def find_closely(ink: Ink) -> tuple[list[AnyFound], Ink]:
         return found, ink
     closer = enlarged(ink)
     again = find_all(closer)
-    return (again, closer) if any(f.confidence >= TRUSTED and _is_all(f) for f in again) else (found, ink)
+    least = LIKELY if best < REFUSE_BELOW else TRUSTED
+    return (again, closer) if any(f.confidence >= least and _is_all(f) for f in again) else (found, ink)
 
 
 def _is_all(found: AnyFound) -> bool:

@@ -19,12 +19,15 @@ from sketch2shape.evidence import (
 from sketch2shape.fit import polished
 from sketch2shape.model import Floats
 from sketch2shape.search.sweep_pairs import Scene, is_flat
-from sketch2shape.sweeps import Sweep
+from sketch2shape.sweeps import Outline, Sweep
 
 NOISE_OF_MEDIAN = 1.5
 """Standard deviation over the median distance, of a normal distribution."""
 LEANS, PLUMB = 6.0, 0.03
 """Nats for a point that is not above the middle of its base, and radians by which one that is may be drawn off."""
+NEARLY_SMOOTH, PLAINLY = 0.5, 12.0
+"""Angle, radians, up to which an arc may run on smoothly for a hand that left out the line between the faces there, and
+nats that this has to save."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,11 +96,26 @@ class FoundSweep:
 
 
 def priced(scene: Scene, sweep: Sweep) -> FoundSweep:
-    """A sweep held against the drawing, with lines at smooth joints if that is cheaper."""
-    ways = _manners(sweep)
-    every = [compare_sweep(way, scene.view, scene.margin, scene.solid) for way in ways]
-    found = [FoundSweep(way, c, c.energy(_hand(c))) for way, c in zip(ways, every, strict=True)]
-    return min(found, key=lambda f: f.nats)
+    """A sweep held against the drawing, with lines at smooth joints, or more of these, if that is cheaper."""
+    best = min((_compared(scene, way) for way in _manners(sweep)), key=lambda f: f.nats)
+    rings = tuple(_smoothed(ring) for ring in sweep.rings)
+    if best.energy.missing < PLAINLY or all(r is ring for r, ring in zip(rings, sweep.rings, strict=True)):
+        return best
+    smooth = _compared(scene, replace(sweep, rings=rings, tangents=False))
+    return smooth if smooth.nats < best.nats - PLAINLY else best
+
+
+def _compared(scene: Scene, sweep: Sweep) -> FoundSweep:
+    compared = compare_sweep(sweep, scene.view, scene.margin, scene.solid)
+    return FoundSweep(sweep, compared, compared.energy(_hand(compared)))
+
+
+def _smoothed(ring: Outline) -> Outline:
+    """The ring without corners where an arc turns but a little: a hand's lines seldom run on exactly."""
+    if not len(ring.vertices):
+        return ring
+    more = (ring.turns < NEARLY_SMOOTH) & (ring.curved | np.roll(ring.curved, 1)) & ~ring.smooth
+    return replace(ring, smooth=ring.smooth | more) if more.any() else ring
 
 
 def cheapest(found: Sequence[FoundSweep]) -> FoundSweep:

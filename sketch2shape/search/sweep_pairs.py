@@ -264,9 +264,11 @@ def _moved(scene: Scene) -> Iterator[Pair]:
 
 def _drawn_together(scene: Scene) -> Iterator[Pair]:
     """Tapered objects and cones."""
-    for loop in scene.loops[:MOST_OUTLINES]:
+    for k, loop in enumerate(scene.loops[:MOST_OUTLINES]):
+        # a base is whole on paper too where its hidden half is dashed
+        sides = (True, False) if k < len(scene.ellipses) else (True,)
         ways = ways_towards(loop, scene.skeleton, scene.meeting, scene.size)
-        tapered = [Pair(loop, way).valued(scene.cells) for way in ways]
+        tapered = [Pair(loop, way, near).valued(scene.cells) for way in ways for near in sides]
         yield from sorted(tapered, key=_worth, reverse=True)[:TAPERS]
     for loop in scene.ellipses:
         for centre in scene.meeting:

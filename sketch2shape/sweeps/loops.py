@@ -70,13 +70,20 @@ class Loop:
     @cached_property
     def corners(self) -> Ints:
         """(c,) int, the points at which it turns sharply."""
-        stray = STRAY * float(np.hypot(*np.ptp(self.line, axis=0)))
-        chords = cv2.approxPolyDP(self.line.astype(np.float32)[:, None], stray, True)
-        bends = np.asarray(chords[:, 0], float)
-        before, after = bends - np.roll(bends, 1, axis=0), np.roll(bends, -1, axis=0) - bends
-        turn = np.abs(np.arctan2(cross(before, after), (before * after).sum(axis=1)))
-        sharp = bends[turn > CORNER]
-        return np.asarray([int(np.hypot(*(self.line - b).T).argmin()) for b in sharp], np.intp)
+        return _corners(self.line, is_closed=True)
+
+
+def _corners(line: Floats, *, is_closed: bool) -> Ints:
+    """(c,) int, the points (k, 2) of a line at which it turns sharply."""
+    stray = STRAY * float(np.hypot(*np.ptp(line, axis=0)))
+    chords = cv2.approxPolyDP(line.astype(np.float32)[:, None], stray, is_closed)
+    bends = np.asarray(chords[:, 0], float)
+    before, after = bends - np.roll(bends, 1, axis=0), np.roll(bends, -1, axis=0) - bends
+    turn = np.abs(np.arctan2(cross(before, after), (before * after).sum(axis=1)))
+    if not is_closed:
+        turn[[0, -1]] = 0.0
+    sharp = bends[turn > CORNER]
+    return np.asarray([int(np.hypot(*(line - b).T).argmin()) for b in sharp], np.intp)
 
 
 def enclosed_loops(ink: Bools, pen: float) -> list[Floats]:
@@ -123,8 +130,11 @@ def ellipses(skeleton: Skeleton, size: float) -> list[Floats]:
 
 
 def _windows(path: np.ndarray, least: float) -> Iterator[np.ndarray]:
-    """A line, and parts of it: an arc may run on into straight lines."""
+    """A line, and parts of it: an arc may run on into straight lines, round a corner or smoothly."""
     yield path
+    corners = np.sort(_corners(path, is_closed=False))
+    if len(corners):
+        yield from np.split(path, corners)
     for part in (2, 4):
         long = len(path) // part
         if long < 2 * least:
