@@ -40,8 +40,9 @@ LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 
 LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
-LACKING = 8.0
-"""Nats of missing lines that a figure of few lines may lack."""
+LACKING, LACKED = 8.0, 0.1
+"""Nats of missing lines that a figure of few lines may lack, and part of what all its lines would cost: rims drawn by
+hand lie a little beside each other."""
 ATTACHED = 0.03
 """Part of the ink that touches a straight object and is none of it, from which on it may be a pyramid."""
 CONVERGING = 0.04
@@ -145,19 +146,24 @@ def _may_be_pointed(straight: Found) -> bool:
 
 
 def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None:
-    """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen."""
-    least = EVEN_ODDS if straight is not None and _is_answer(straight) else POSSIBLE
-    if swept is None or not _is_given(swept, least):
+    """The answer of less energy; a sweep without arcs or a point is none that the other search has not seen.
+
+    What is cheaper and yet no answer gives way to a likely one.
+    """
+    is_answer = straight is not None and _is_answer(straight)
+    if swept is None or not _is_given(swept, EVEN_ODDS if is_answer else POSSIBLE):
         return straight
     if straight is None or straight.energy is None:
         return swept
     gap = straight.energy.total - swept.nats
-    return swept.against(gap) if gap > 0 else straight
+    if gap > 0:
+        return swept.against(gap)
+    return straight if is_answer or swept.confidence < EVEN_ODDS else swept
 
 
 def _is_given(swept: FoundSweep, least: float) -> bool:
     """Whether it is an answer: an ellipse alone is the base of a cone whose sides are lacking, and of anything."""
-    bare = swept.is_lone and swept.energy.missing > LACKING
+    bare = swept.is_lone and swept.energy.missing > max(LACKING, LACKED * float(swept.compared.wanted.sum()))
     return _is_proper(swept) and swept.confidence >= least and not bare
 
 

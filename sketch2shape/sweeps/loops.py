@@ -17,6 +17,7 @@ from sketch2shape.geometry import cross
 from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps.insides import Inside
+from sketch2shape.sweeps.linked import linked
 
 PROBES = 64
 """Points that stand for a loop where it is moved."""
@@ -116,7 +117,8 @@ def border(part: Gray) -> Floats:
 def ellipses(skeleton: Skeleton, size: float) -> list[Floats]:
     """Ellipses (k, 2) that bowed lines of the drawing lie on, those with the most ink first."""
     found: list[tuple[float, Floats, tuple[float, ...]]] = []
-    runs = [run for path in skeleton.paths for run in _windows(path, LEAST_PATH * size)]
+    lines = [*skeleton.paths, *linked(skeleton.paths, size, skeleton.pen_width)]
+    runs = [run for line in lines for run in _windows(line, LEAST_PATH * size)]
     bowed = [p for p in runs if _is_bowed(p, LEAST_PATH * size)]
     for path in sorted(bowed, key=len, reverse=True)[: 6 * MOST_ELLIPSES]:
         grown = _grown_ellipse(path.astype(float), skeleton, size)
