@@ -48,6 +48,12 @@ def test_another_answer_that_is_not_sure_is_not(looks, first, second):
     assert looks(BOX, first, second) == ([first], 2, False)
 
 
+@pytest.mark.parametrize("first", [None, 0.1])
+def test_a_likely_one_is_believed_where_there_was_no_answer(looks, first):
+    assert looks(BOX, first, LIKELY) == ([LIKELY], 2, True)
+    assert looks(BOX, first, LIKELY - 0.01) == ([first] if first else [], 2, False)
+
+
 def test_nor_is_one_that_leaves_ink(looks, monkeypatch):
     monkeypatch.setattr(closer, "_is_all", lambda _: False)
     assert looks(BOX, 0.3, 0.95) == ([0.3], 2, False)

@@ -43,3 +43,17 @@ def test_a_sweep_beside_the_ink_is_moved_onto_it():
     there = moved(beside, scene)
     assert there.hand < beside.hand
     assert np.abs(there.sweep.rings[0].vertices - true.rings[0].vertices).max() < 2.0
+
+
+def test_a_corner_of_a_hands_arc_is_none_where_no_line_is_drawn():
+    """The arch runs on smoothly into its sides: told as corners there, it would show two more lines."""
+    scene, true = scene_and_arch()
+    (ring,) = true.rings
+    assert ring.smooth.any()
+    angular = replace(true, rings=(replace(ring, smooth=np.zeros_like(ring.smooth)),))
+    assert priced(scene, angular).sweep.rings[0].smooth.tolist() == ring.smooth.tolist()
+    lines = replace(true, tangents=True)
+    (group,) = split_groups(ink_of(drawn(lines)))
+    seen = observed(group)
+    shown = priced(Scene(seen.drawn, seen.skeleton, seen.view), replace(angular, rings=angular.rings))
+    assert not shown.sweep.rings[0].smooth.any()

@@ -171,13 +171,36 @@ def test_a_pyramid_that_may_be_a_prism_is_read_as_one():
 
 
 @pytest.mark.parametrize(
-    ("straight", "swept", "is_given"),
-    [(None, 0.4, True), (LOW, 0.4, True), (0.3, 0.4, False), (0.3, 0.6, True), (None, 0.25, False)],
+    ("straight", "swept", "cheaper", "is_given"),
+    [
+        (None, 0.4, 0, True),
+        (LOW, 0.4, 40, True),
+        (0.3, 0.4, 40, False),
+        (0.3, 0.6, 40, True),
+        (0.3, 0.6, -40, False),
+        (LOW, 0.6, -40, True),
+        (LOW, 0.4, -40, False),
+        (None, 0.25, 0, False),
+    ],
 )
-def test_an_unlikely_answer_with_arcs_is_given_where_there_is_no_straight_one(straight, swept, is_given):
+def test_an_answer_with_arcs_is_given_beside_or_without_a_straight_one(straight, swept, cheaper, is_given):
+    """Unlikely ones where there is no other, and likely ones even if what is no answer is cheaper."""
     arcs = SimpleNamespace(
         confidence=swept, is_lone=False, nats=50.0, sweep=SimpleNamespace(has_arcs=True), against=lambda _: arcs
     )
-    energy = SimpleNamespace(total=90.0)
-    other = straight and SimpleNamespace(confidence=straight, energy=energy)
+    other = straight and SimpleNamespace(confidence=straight, energy=SimpleNamespace(total=50.0 + cheaper))
     assert objects._better(other, arcs) is (arcs if is_given else other)
+
+
+@pytest.mark.parametrize(
+    ("missing", "whole", "is_given"), [(7.0, 30.0, True), (13.0, 300.0, True), (13.0, 60.0, False)]
+)
+def test_a_figure_of_few_lines_has_nearly_all_of_them(missing, whole, is_given):
+    few = SimpleNamespace(
+        confidence=0.8,
+        is_lone=True,
+        energy=SimpleNamespace(missing=missing),
+        compared=SimpleNamespace(wanted=np.array([0.5 * whole, 0.5 * whole])),
+        sweep=SimpleNamespace(has_arcs=True),
+    )
+    assert objects._better(None, few) is (few if is_given else None)
