@@ -111,6 +111,8 @@ def _by_rings(outcome: Outcome, solids: list[Any]) -> Outcome:
     verdict = metrics.judge(truth, answers)
     if not verdict.exact:
         return replace(outcome, right=False, cause=outcome.message or verdict.cause)
+    if any(answer.get("arcs") for answer in answers):
+        return replace(outcome, right=False, cause="arcs between the right vertices")
     bodies = [to_trimesh([s]) for s in solids]
     sound = all(
         meshes.is_sound(body, len(solid.vertices), len(answer["holes"]))

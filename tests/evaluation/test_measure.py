@@ -7,7 +7,7 @@ import pytest
 
 from evaluation import metrics
 from evaluation.cases import Case, case_of
-from evaluation.measure import lost, measure
+from evaluation.measure import judged, lost, measure
 from evaluation.page import kind_of
 from sketch2shape import errors
 from sketch2shape.model import FacePair, Picture, Projection, Solid, TwoFaceObject, two_face_boundary
@@ -54,6 +54,12 @@ def test_wrong_answers_refusals_and_bugs_are_told_apart(case):
         kinds.append(kind_of(outcome))
     assert kinds == ["edges wrong", "refused", "crashed: ZeroDivisionError"]
     assert kind_of(lost(case, TimeoutError("30 s"), 30.0)) == "lost: TimeoutError"
+
+
+def test_arcs_between_the_right_vertices_are_wrong(case):
+    outcome = measure(case, lambda _: perfect(case.truth))
+    bowed = replace(outcome, answers=({**outcome.answers[0], "arcs": [{"face": "f1"}]},))
+    assert judged(bowed, []).wrong
 
 
 def test_only_a_refusal_is_right_where_there_is_no_object(tmp_path):
