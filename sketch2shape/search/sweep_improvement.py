@@ -72,9 +72,10 @@ def finished(found: FoundSweep, scene: Scene) -> FoundSweep:
     """In perspective, without needless vertices, and seen from the other side, if that is cheaper."""
     found = _settled(_in_perspective(found, scene), scene)
     found = _simpler(found, scene)
-    if found.sweep.way.centre is None:
-        other = priced(scene, found.sweep.reversed())
-        found = cheapest((found, other))
+    sweep = found.sweep
+    if not sweep.way.is_pointed:
+        other = sweep.reversed() if sweep.way.centre is None else replace(sweep, is_near=not sweep.is_near)
+        found = cheapest((found, priced(scene, other)))
     return found
 
 

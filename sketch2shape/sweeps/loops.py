@@ -115,18 +115,21 @@ def border(part: Gray) -> Floats:
 
 
 def ellipses(skeleton: Skeleton, size: float) -> list[Floats]:
-    """Ellipses (k, 2) that bowed lines of the drawing lie on, those with the most ink first."""
+    """Ellipses (k, 2) that bowed lines of the drawing lie on, those with the most ink first.
+
+    What lines tell that are put together from pieces counts where none of the pieces tells the same.
+    """
     found: list[tuple[float, Floats, tuple[float, ...]]] = []
-    lines = [*skeleton.paths, *linked(skeleton.paths, size, skeleton.pen_width)]
-    runs = [run for line in lines for run in _windows(line, LEAST_PATH * size)]
-    bowed = [p for p in runs if _is_bowed(p, LEAST_PATH * size)]
-    for path in sorted(bowed, key=len, reverse=True)[: 6 * MOST_ELLIPSES]:
-        grown = _grown_ellipse(path.astype(float), skeleton, size)
-        if grown is None:
-            continue
-        line, covered, told = grown
-        if covered >= LEAST_COVERED and all(_differ(told, t, size) for _, _, t in found):
-            found.append((covered * len(path), line, told))
+    least = LEAST_PATH * size
+    for lines in (skeleton.paths, linked(skeleton.paths, size, skeleton.pen_width)):
+        bowed = [run for line in lines for run in _windows(line, least) if _is_bowed(run, least)]
+        for path in sorted(bowed, key=len, reverse=True)[: 6 * MOST_ELLIPSES]:
+            grown = _grown_ellipse(path.astype(float), skeleton, size)
+            if grown is None:
+                continue
+            line, covered, told = grown
+            if covered >= LEAST_COVERED and all(_differ(told, t, size) for _, _, t in found):
+                found.append((covered * len(path), line, told))
     found.sort(key=lambda f: -f[0])
     return [line for _, line, _ in found[:MOST_ELLIPSES]]
 
