@@ -157,7 +157,7 @@ class Scene:
         enclosed = enclosed_loops(self.group.solid, self.skeleton.pen_width)
         near = ALIKE * self.size
         # what other lines cross is enclosed in pieces, and roughly: an ellipse is the better line
-        others = [e for e in enclosed if not any(are_close(e, loop.line, near) for loop in self.ellipses)]
+        others = [e for e in enclosed if not any(_runs_along(loop.line, e, near) for loop in self.ellipses)]
         return [*self.ellipses, *map(Loop, others)]
 
     @cached_property
@@ -368,6 +368,14 @@ def is_flat(way: Way, line: Floats, scene: Scene) -> bool:
     return float(np.median(np.hypot(*way.of(line).T))) < max(
         SHALLOW_PENS * scene.skeleton.pen_width, SHALLOW * scene.size
     )
+
+
+def _runs_along(p: Floats, q: Floats, near: float) -> bool:
+    """Whether a closed line (k, 2) is another all around, to so many pixels."""
+    if not are_close(p, q, near):
+        return False
+    apart = np.hypot(p[:, 0, None] - q[:, 0], p[:, 1, None] - q[:, 1])
+    return bool(apart.min(axis=1).max() < near)
 
 
 def are_close(p: Floats, q: Floats, near: float) -> bool:

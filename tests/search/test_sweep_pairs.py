@@ -1,6 +1,6 @@
 """Pairs of an outline and a way to the back face: what is looked at first, and what leads nowhere."""
 
-from itertools import count
+from itertools import count, pairwise
 from types import SimpleNamespace
 
 import numpy as np
@@ -133,10 +133,22 @@ def test_an_outline_that_goes_nowhere_is_not_cut():
     assert list(cut(Pair(Loop(evenly(RIM)), Way(np.array([0.0, 1.0])), is_whole=True), PLAIN)) == []
 
 
+SQUARE_CORNERS = np.array([[50.0, 50], [150, 50], [150, 150], [50, 150], [50, 50]])
+
+
 def test_an_ellipse_stands_for_what_the_ink_encloses_there():
     scene, offset = scene_of(CYLINDER, "removed")
     rim = CYLINDER.rings[0].line - offset
     assert len([loop for loop in scene.loops if are_close(loop.line, rim, 6.0)]) == 1
+
+
+def test_an_ellipse_with_the_box_of_another_outline_does_not_stand_for_it():
+    angle = np.linspace(0, 2 * np.pi, 200, endpoint=False)
+    circle = 50 * np.stack([np.cos(angle), np.sin(angle)], axis=1) + 100
+    square = np.concatenate([np.linspace(a, b, 50) for a, b in pairwise(SQUARE_CORNERS)])
+    assert are_close(circle, square, 6.0)
+    assert not sweep_pairs._runs_along(circle, square, 6.0)
+    assert sweep_pairs._runs_along(circle, circle + [3.0, -2.0], 6.0)
 
 
 def point(x, y):
