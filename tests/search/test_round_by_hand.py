@@ -16,9 +16,9 @@ DRAWINGS = {
 }
 
 
-@pytest.mark.parametrize("drawing", DRAWINGS.values(), ids=DRAWINGS.keys())
-def test_it_is_found(drawing, tmp_path):
-    drawn = draw(*drawing)
+@pytest.mark.parametrize("kind", DRAWINGS.values(), ids=DRAWINGS.keys())
+def test_it_is_found(kind, tmp_path):
+    drawn = draw(*kind)
     (answer,) = report(reconstruct(drawn.save(tmp_path)))["objects"]
     verdict = curves.judge(drawn.truth, [answer])
     assert verdict.exact, verdict.cause
