@@ -186,21 +186,28 @@ def test_a_pyramid_that_may_be_a_prism_is_read_as_one():
 def test_an_answer_with_arcs_is_given_beside_or_without_a_straight_one(straight, swept, cheaper, is_given):
     """Unlikely ones where there is no other, and likely ones even if what is no answer is cheaper."""
     arcs = SimpleNamespace(
-        confidence=swept, is_lone=False, nats=50.0, sweep=SimpleNamespace(has_arcs=True), against=lambda _: arcs
+        confidence=swept,
+        is_lone=False,
+        nats=50.0,
+        sweep=SimpleNamespace(has_arcs=True),
+        compared=SimpleNamespace(view=SimpleNamespace(all_foreign=80.0)),
+        against=lambda _: arcs,
     )
     other = straight and SimpleNamespace(confidence=straight, energy=SimpleNamespace(total=50.0 + cheaper))
     assert objects._better(other, arcs) is (arcs if is_given else other)
 
 
 @pytest.mark.parametrize(
-    ("missing", "whole", "is_given"), [(7.0, 30.0, True), (13.0, 300.0, True), (13.0, 60.0, False)]
+    ("missing", "whole", "none", "is_given"),
+    [(7.0, 30, 90.0, True), (13.0, 300, 90.0, True), (13.0, 60, 90.0, False), (7.0, 30, 40.0, False)],
 )
-def test_a_figure_of_few_lines_has_nearly_all_of_them(missing, whole, is_given):
+def test_a_figure_of_few_lines_has_nearly_all_of_them_and_is_worth_its_price(missing, whole, none, is_given):
     few = SimpleNamespace(
         confidence=0.8,
         is_lone=True,
+        nats=50.0,
         energy=SimpleNamespace(missing=missing),
-        compared=SimpleNamespace(wanted=np.array([0.5 * whole, 0.5 * whole])),
+        compared=SimpleNamespace(wanted=np.array([0.5 * whole, 0.5 * whole]), view=SimpleNamespace(all_foreign=none)),
         sweep=SimpleNamespace(has_arcs=True),
     )
     assert objects._better(None, few) is (few if is_given else None)
