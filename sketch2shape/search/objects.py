@@ -165,11 +165,11 @@ def _is_given(swept: FoundSweep, least: float) -> bool:
     """Whether it is an answer: an ellipse alone is the base of a cone whose sides are lacking, and of anything."""
     if not _is_proper(swept) or swept.confidence < least:
         return False
-    lacks = swept.is_lone and swept.energy.missing > LACKING
+    missing = swept.energy.missing
     # what lacks something and what is unlikely have to be a shorter tale than so much foreign ink
-    if (lacks or swept.confidence < EVEN_ODDS) and swept.nats >= swept.compared.view.all_foreign:
+    if (missing > LACKING or swept.confidence < EVEN_ODDS) and swept.nats >= swept.compared.view.all_foreign:
         return False
-    return not (lacks and swept.energy.missing > LACKED * float(swept.compared.wanted.sum()))
+    return not (swept.is_lone and missing > max(LACKING, LACKED * float(swept.compared.wanted.sum())))
 
 
 def _is_proper(swept: FoundSweep) -> bool:
