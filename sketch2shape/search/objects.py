@@ -41,14 +41,15 @@ LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
 LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
 LACKING, LACKED = 8.0, 0.1
-"""Nats of missing lines that a figure of few lines may lack, and part of what all its lines would cost: rims drawn by
-hand lie a little beside each other."""
+"""Nats of missing lines up to which an answer lacks nothing, and part of what all its lines would cost that a figure of
+few lines may lack beyond: rims drawn by hand lie a little beside each other."""
 ATTACHED = 0.03
 """Part of the ink that touches a straight object and is none of it, from which on it may be a pyramid."""
 CONVERGING = 0.04
 """Shortest edge of a straight object, as a part of the drawing's size, up to which it may be a blurred point."""
 POSSIBLE = 0.3
-"""Confidence from which on an answer with arcs or a point is given where there is no straight one."""
+"""Confidence from which on an answer with arcs or a point is given where there is no straight one; chosen on wireframes
+of CAD programs and pictures of other things, both halves seen."""
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
 
@@ -162,7 +163,10 @@ def _better(straight: Found | None, swept: FoundSweep | None) -> AnyFound | None
 
 
 def _is_given(swept: FoundSweep, least: float) -> bool:
-    """Whether it is an answer: an ellipse alone is the base of a cone whose sides are lacking, and of anything."""
+    """Whether it is an answer at this least confidence.
+
+    An ellipse alone is the base of a cone whose sides are lacking, and of anything.
+    """
     if not _is_proper(swept) or swept.confidence < least:
         return False
     missing = swept.energy.missing

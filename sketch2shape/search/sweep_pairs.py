@@ -265,7 +265,7 @@ def _moved(scene: Scene) -> Iterator[Pair]:
 def _drawn_together(scene: Scene) -> Iterator[Pair]:
     """Tapered objects and cones."""
     for k, loop in enumerate(scene.loops[:MOST_OUTLINES]):
-        # a base is whole on paper too where its hidden half is dashed
+        # a base behind is whole on paper too where its hidden half is drawn or dashed
         sides = (True, False) if k < len(scene.ellipses) else (True,)
         ways = ways_towards(loop, scene.skeleton, scene.meeting, scene.size)
         tapered = [Pair(loop, way, near).valued(scene.cells) for way in ways for near in sides]

@@ -55,5 +55,5 @@ def test_a_corner_of_a_hands_arc_is_none_where_no_line_is_drawn():
     lines = replace(true, tangents=True)
     (group,) = split_groups(ink_of(drawn(lines)))
     seen = observed(group)
-    shown = priced(Scene(seen.drawn, seen.skeleton, seen.view), replace(angular, rings=angular.rings))
+    shown = priced(Scene(seen.drawn, seen.skeleton, seen.view), angular)
     assert not shown.sweep.rings[0].smooth.any()

@@ -199,16 +199,23 @@ def test_an_answer_with_arcs_is_given_beside_or_without_a_straight_one(straight,
 
 
 @pytest.mark.parametrize(
-    ("missing", "whole", "none", "is_given"),
-    [(7.0, 30, 40.0, True), (13.0, 300, 90.0, True), (13.0, 60, 90.0, False), (13.0, 300, 40.0, False)],
+    ("few", "missing", "whole", "none", "is_given"),
+    [
+        (True, 7.0, 30, 40.0, True),
+        (True, 13.0, 300, 90.0, True),
+        (True, 13.0, 60, 90.0, False),
+        (True, 13.0, 300, 40.0, False),
+        (False, 13.0, 60, 90.0, True),
+        (False, 13.0, 60, 40.0, False),
+    ],
 )
-def test_a_figure_of_few_lines_has_nearly_all_of_them_or_is_worth_its_price(missing, whole, none, is_given):
-    few = SimpleNamespace(
+def test_what_lacks_lines_is_worth_its_price_and_a_figure_of_few_has_nearly_all(few, missing, whole, none, is_given):
+    lacking = SimpleNamespace(
         confidence=0.8,
-        is_lone=True,
+        is_lone=few,
         nats=50.0,
         energy=SimpleNamespace(missing=missing),
         compared=SimpleNamespace(wanted=np.array([0.5 * whole, 0.5 * whole]), view=SimpleNamespace(all_foreign=none)),
         sweep=SimpleNamespace(has_arcs=True),
     )
-    assert objects._better(None, few) is (few if is_given else None)
+    assert objects._better(None, lacking) is (lacking if is_given else None)
