@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from sketch2shape.evidence.behind import shown_behind, shows_little
 from sketch2shape.evidence.calibration import EVEN_ODDS, REFUSE_BELOW, Weights, confidence
 from sketch2shape.evidence.chords import faces_of
+from sketch2shape.evidence.coverage import coverage, is_crowded
 from sketch2shape.evidence.detectors_agree import vouched
 from sketch2shape.evidence.energy import LEAST_DRAWN, Comparison, Energy, compare, near_line, nearest_edges, with_hidden
 from sketch2shape.evidence.exact import exactly_drawn
@@ -34,9 +36,11 @@ __all__ = [
     "compare",
     "compare_sweep",
     "confidence",
+    "coverage",
     "exactly_drawn",
     "faces_of",
     "is_crosswise",
+    "is_crowded",
     "is_dashed",
     "judge",
     "judge_all",
@@ -47,6 +51,8 @@ __all__ = [
     "observe",
     "rivalry",
     "sheet_for",
+    "shown_behind",
+    "shows_little",
     "sweep_confidence",
     "sweep_witnesses",
     "unexplained_part",

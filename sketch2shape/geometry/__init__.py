@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sketch2shape.geometry.lines import fit_lines, moments, project, thinned
 from sketch2shape.geometry.plane import (
+    are_simple,
     cross,
     distances,
     inside,
@@ -16,6 +17,7 @@ from sketch2shape.geometry.plane import (
 from sketch2shape.geometry.plane_maps import map_fits, plane_map
 
 __all__ = [
+    "are_simple",
     "cross",
     "distances",
     "fit_lines",

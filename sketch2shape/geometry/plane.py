@@ -29,6 +29,17 @@ def distances(points: Floats) -> Floats:
     return np.asarray(np.hypot(gap[..., 0], gap[..., 1]))
 
 
+def are_simple(polygons: Floats) -> Bools:
+    """(...) bool: no two edges of a polygon cross; polygons (..., n, 2)."""
+    after = np.r_[1 : polygons.shape[-2], 0]
+    x, y = polygons[..., 0], polygons[..., 1]
+    dx, dy = x[..., after] - x, y[..., after] - y
+    # on which side of the line through edge i (second to last axis) vertex j (last axis) lies
+    side = dx[..., None] * (y[..., None, :] - y[..., None]) - dy[..., None] * (x[..., None, :] - x[..., None])
+    apart = side * side[..., after] < -1e-9
+    return np.asarray(~(apart & np.swapaxes(apart, -1, -2)).any(axis=(-2, -1)))
+
+
 def inside(points: Floats, ring: Floats) -> Bools:
     """Which points (m, 2) lie inside a ring (n, 2), by counting crossings of a ray to the right."""
     x, y = points[:, None, 0], points[:, None, 1]

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from sketch2shape.geometry import are_simple
 from sketch2shape.model import Bools, Floats, Ints, ring_edges
 
 SHORTEST_RUNG = 0.1
@@ -37,6 +38,12 @@ class Rings(NamedTuple):
     def sizes(self) -> tuple[int, ...]:
         """Number of vertices of each ring of one face."""
         return tuple(len(r) for r in self.front)
+
+    @property
+    def lines(self) -> tuple[Floats, Floats]:
+        """(e, 2) float, pixels: where each edge begins, and (e, 2) the way to its end."""
+        ends = self.vertices[frame(self.sizes).edges]
+        return ends[:, 0], ends[:, 1] - ends[:, 0]
 
     def swapped(self) -> Rings:
         """Front and back exchanged."""
@@ -175,17 +182,5 @@ def which_plausible(stacked: Stack, least: float) -> Bools:
             ratio = area[:, 1] / area[:, 0]
             ok &= (ratio >= SMALLEST_FACE) & (ratio <= 1 / SMALLEST_FACE)
             if ok.any():
-                ok &= _are_simple(faces[:, :, a:b])
+                ok &= are_simple(faces[:, :, a:b]).all(axis=1)
     return ok
-
-
-def _are_simple(polygons: Floats) -> Bools:
-    """(b,) bool: no two edges of either of the polygons (b, 2, n, 2) cross."""
-    n = polygons.shape[2]
-    after = np.r_[1:n, 0]
-    x, y = polygons[..., 0], polygons[..., 1]
-    dx, dy = x[..., after] - x, y[..., after] - y
-    # on which side of the line through edge i (second to last axis) vertex j (last axis) lies
-    side = dx[..., None] * (y[..., None, :] - y[..., None]) - dy[..., None] * (x[..., None, :] - x[..., None])
-    apart = side * side[..., after] < -1e-9
-    return np.asarray(~(apart & np.swapaxes(apart, -1, -2)).any(axis=(1, 2, 3)))

@@ -160,8 +160,8 @@ def _with_tips(corner: Ints, ring: Floats, graph: CornerGraph, pen: float) -> tu
     """
     tips, ring = corner.copy(), ring.copy()
     before, after = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
-    before /= np.hypot(*before.T)[:, None]
-    after /= np.hypot(*after.T)[:, None]
+    before /= np.hypot(*before.T)[:, None] + 1e-9
+    after /= np.hypot(*after.T)[:, None] + 1e-9
     half = 0.5 * np.arccos(np.clip((before * after).sum(axis=1), -1.0, 1.0))
     for i in np.flatnonzero(half < SHARP):
         way = graph.points - ring[i]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, TypeAlias
 
 import cv2
@@ -25,6 +26,8 @@ from sketch2shape.sweeps import LEAST_PATH
 
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
+WRITING = 0.1
+"""Odds of an answer after a group without an object that was looked at before, over its odds without."""
 LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 BOWED, SOME_BOWED = 0.08, 0.02
@@ -83,6 +86,8 @@ def _find_groups(ink: Ink) -> list[AnyFound]:
         if vain >= MOST_VAIN:
             break
         best = find_one(group)
+        if best is not None and _is_answer(best) and vain:
+            best = replace(best, confidence=_among_writing(best.confidence, vain))
         vain += best is None or not _is_answer(best)
         if best is not None and (_is_answer(best) or not found):
             found.append(best.shifted(group.offset))
@@ -90,6 +95,12 @@ def _find_groups(ink: Ink) -> list[AnyFound]:
     # beside a likely object an unlikely one is writing
     likely = [f for f in found if f.confidence >= EVEN_ODDS]
     return likely or [f for f in found if _is_answer(f)] or found[:1]
+
+
+def _among_writing(alone: float, vain: int) -> float:
+    """How sure an answer is, 0..1, that is looked at after so many groups without an object."""
+    odds = alone / max(1.0 - alone, 1e-9) * WRITING**vain
+    return odds / (1.0 + odds)
 
 
 def _is_answer(found: AnyFound) -> bool:

@@ -23,7 +23,9 @@ from sketch2shape.evidence import (
     against_rivals,
     confidence,
     is_crosswise,
+    is_crowded,
     rivalry,
+    shows_little,
     with_hidden,
     witnesses,
 )
@@ -58,7 +60,8 @@ STALE = 2
 STARTS = 2
 """Hypotheses from which a climb by the energy starts where the answer is doubtful."""
 OUTSTANDING = 0.7
-"""Confidence, beside all rivals, of an object that only such a climb has found."""
+"""Confidence, beside all rivals, of an object that only such a climb has found; and, by itself, of one that costs more
+than so much foreign ink."""
 LEAST_MAP, PLAIN = 2, 1.5
 """Numbers of the plainest plane map, a translation, and more by which a hypothesis may cost and be the plainest."""
 WITNESSED, LOG_ODDS = 10.0, 4.6
@@ -168,10 +171,21 @@ def _told(best: Found | None) -> Found | None:
         return None
     told = witnesses(best.rings, best.energy, best.compared, best.evidence)
     sure = confidence(told)
-    is_none = _is_flat(best.evidence.drawn, told) or is_crosswise(best.rings, best.energy.noise)
-    # doubtful, and an edge that nobody has drawn
-    is_none |= sure < EVEN_ODDS and best.evidence.weakest < BARE
+    is_none = _is_flat(best.evidence.drawn, told) or _is_vague(best, sure)
+    is_none |= is_crosswise(best.rings, best.energy.noise) or is_crowded(*best.rings.lines, best.energy.noise)
     return replace(best, witnesses=told, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
+
+
+def _is_vague(best: Found, sure: float) -> bool:
+    """Whether it is doubtful, or dearer than so much foreign ink, and nothing but a face is drawn well."""
+    if best.energy is None or best.compared is None:
+        return True
+    is_dear = best.energy.total > best.compared.view.all_foreign
+    if is_dear and sure < OUTSTANDING:
+        return True
+    # an edge that nobody has drawn, or nothing behind the face
+    is_bare = best.evidence.weakest < BARE or shows_little(best.rings, best.compared)
+    return is_bare and (is_dear or sure < EVEN_ODDS)
 
 
 def _is_flat(drawn: Bools, told: Floats) -> bool:

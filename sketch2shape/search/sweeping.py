@@ -13,7 +13,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from sketch2shape.evidence import EVEN_ODDS
+from sketch2shape.evidence import EVEN_ODDS, is_crowded
+from sketch2shape.geometry import are_simple
 from sketch2shape.model import TRUSTED
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, priced
 from sketch2shape.search.observed import Observed
@@ -68,12 +69,20 @@ def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> F
 
 def _best(done: dict[FoundSweep, FoundSweep], some: list[_Begun], scene: Scene) -> FoundSweep | None:
     """The cheapest of those that were improved, held against those that were begun."""
-    found = [f for f in done.values() if _shows_depth(f, scene)]
+    found = [f for f in done.values() if _shows_depth(f, scene) and _is_possible(f, scene)]
     if not found:
         return None
     best = cheapest(found)
     rivals = [f.under(best.hand) for f in (*found, *(f for f, _ in some)) if not _is_same(f, best, scene.size)]
     return _dashed(best, scene).against(min(rivals, default=np.inf) - best.nats)
+
+
+def _is_possible(found: FoundSweep, scene: Scene) -> bool:
+    """Whether no outline crosses itself, and it would not explain any ink."""
+    drawn = redraw(found.sweep, scene.size / 100, scene.margin)
+    span = drawn.length[:, None] * drawn.along
+    crowded = is_crowded(drawn.points - 0.5 * span, span, found.noise)
+    return not crowded and all(are_simple(ring.line) for ring in found.sweep.rings)
 
 
 def find_pyramid(seen: Observed, below: float) -> FoundSweep | None:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import cv2
 import numpy as np
 
+from sketch2shape.geometry import are_simple
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes import Skeleton, Strokes, are_covered, join_ends
 from sketch2shape.sweeps.outlines import polygon
@@ -99,7 +100,7 @@ def _over(around: Ints, points: Floats, inked: Bools, size: float, reach: float)
     """
     way = Way(np.zeros(2), points[0], 0.0)
     chains: list[list[int]] = []
-    for chain in _chains([int(a) for a in around], inked):
+    for chain in _chains([int(a) for a in around], points, inked):
         closed = len(chain) > 2 and bool(inked[chain[0], chain[-1]])
         if closed:
             base = _without_straight(points[chain], reach)
@@ -114,12 +115,15 @@ def _over(around: Ints, points: Floats, inked: Bools, size: float, reach: float)
                 yield Sweep((polygon(base),), way, is_near=False, regular=SIDES[len(base)])
             for walk in _closed(chain, inked):
                 base = _without_straight(points[walk], reach)
-                if len(base) == len(walk):
+                if len(base) == len(walk) and are_simple(base):
                     yield Sweep((polygon(base),), way, is_near=True)
 
 
-def _chains(around: list[int], inked: Bools) -> Iterator[list[int]]:
-    """Walks along edges between some corners that cannot go on, each walk once, at most a few hundred."""
+def _chains(around: list[int], points: Floats, inked: Bools) -> Iterator[list[int]]:
+    """Walks along edges between some corners that cannot go on or close, each once and at most a few hundred.
+
+    One that crosses itself when closed is no base.
+    """
     left = 400
     seen: set[frozenset[int]] = set()
     stack = [[a] for a in around]
@@ -129,6 +133,8 @@ def _chains(around: list[int], inked: Bools) -> Iterator[list[int]]:
         after = [b for b in around if inked[walk[-1], b] and b not in walk]
         stack += [[*walk, b] for b in after]
         closes = len(walk) > 2 and inked[walk[0], walk[-1]]
+        if closes and not are_simple(points[walk]):
+            continue
         if (not after or closes) and len(walk) >= 3 and frozenset(walk) not in seen:
             seen.add(frozenset(walk))
             yield walk

@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sketch2shape.geometry import (
+    are_simple,
     cross,
     inside,
     line_crossings,
@@ -29,6 +30,17 @@ def test_signed_area_and_size():
 def test_inside_counts_crossings():
     some = np.array([(1, 1), (5, 1), (-1, 1), (1, 5)], float)
     assert inside(some, SQUARE).tolist() == [True, False, False, False]
+
+
+def test_a_ring_whose_edges_cross_is_not_simple():
+    square = np.array([[0.0, 0], [4, 0], [4, 4], [0, 4]])
+    bow = square[[0, 2, 1, 3]]
+    dart = np.array([[0.0, 0], [4, 0], [1, 1], [0, 4]])
+    assert are_simple(np.array([square, bow, dart, square[::-1]])).tolist() == [True, False, True, True]
+    assert are_simple(square)
+    assert not are_simple(bow)
+    # a vertex on another edge touches it
+    assert are_simple(np.array([[0.0, 0], [4, 0], [4, 4], [2, 0], [0, 4]]))
 
 
 def test_segments_meet_in_a_crossing_a_touch_and_not():

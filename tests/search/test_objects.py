@@ -1,5 +1,6 @@
 """Objects of a sheet: which groups of ink are looked at, and what is given for them."""
 
+from dataclasses import dataclass
 from itertools import pairwise
 from types import SimpleNamespace
 
@@ -12,8 +13,12 @@ from sketch2shape.hypotheses import Rings
 from sketch2shape.search import objects
 
 
-class Answer(SimpleNamespace):
+@dataclass(frozen=True)
+class Answer:
     """What `find_one` gives: the size of its group, and how sure it is."""
+
+    size: float
+    confidence: float
 
     def shifted(self, by):
         assert by.shape == (2,)
@@ -45,8 +50,21 @@ LOW = REFUSE_BELOW / 2
 @pytest.mark.parametrize("vain", range(objects.MOST_VAIN + 2))
 def test_so_many_groups_without_an_object_make_a_sheet_of_writing(sheet, vain):
     found, asked = sheet(*[(100, None)] * vain, (100, 0.9))
-    assert found == ([0.9] if vain < objects.MOST_VAIN else [])
+    assert len(found) == (vain < objects.MOST_VAIN)
     assert len(asked) == min(vain + 1, objects.MOST_VAIN)
+
+
+def test_each_group_without_an_object_before_it_makes_an_answer_less_likely():
+    assert objects._among_writing(0.9, 0) == pytest.approx(0.9)
+    assert objects._among_writing(10 / 11, 1) == pytest.approx(0.5)
+    assert objects._among_writing(10 / 11, 2) == pytest.approx(1 / 11)
+    assert objects._among_writing(1.0, 2) > 0.99
+
+
+def test_writing_before_an_object_counts_and_after_it_does_not(sheet):
+    assert sheet((100, None), (100, 0.9))[0] == pytest.approx([9 / 19])
+    assert sheet((100, 0.9), (100, None), (100, 0.8))[0] == pytest.approx([0.9])
+    assert sheet((100, 0.9), (100, None), (100, 0.99))[0] == pytest.approx([0.9, 9.9 / 10.9])
 
 
 def test_an_answer_that_is_refused_is_in_vain_too_and_the_first_is_kept(sheet):
@@ -56,7 +74,7 @@ def test_an_answer_that_is_refused_is_in_vain_too_and_the_first_is_kept(sheet):
 
 
 def test_a_refused_answer_gives_way_to_one_that_is_not(sheet):
-    assert sheet((100, LOW), (90, 0.9))[0] == [0.9]
+    assert sheet((100, LOW), (90, 0.9))[0] == pytest.approx([9 / 19])
     assert sheet((100, 0.9), (90, LOW))[0] == [0.9]
 
 

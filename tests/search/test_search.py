@@ -303,6 +303,33 @@ def test_a_table_is_no_object_however_well_it_is_explained(monkeypatch):
     assert _told(box).confidence < REFUSE_BELOW
 
 
+def test_what_explains_anything_is_no_object(monkeypatch):
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
+    box = find(observed(group))
+    monkeypatch.setattr(search, "is_crowded", lambda *given: given[2] == box.energy.noise and len(given[0]) == 12)
+    assert _told(box).confidence < REFUSE_BELOW
+
+
+@pytest.mark.parametrize(
+    ("sure", "little", "nothing", "is_none"),
+    [
+        (0.9, False, 1e9, False),
+        (0.9, True, 1e9, False),
+        (0.4, True, 1e9, True),
+        (0.4, False, 1e9, False),
+        (0.9, False, 0.0, False),
+        (0.9, True, 0.0, True),
+        (0.6, False, 0.0, True),
+    ],
+)
+def test_a_doubtful_face_alone_or_what_costs_more_than_no_object_is_none(monkeypatch, sure, little, nothing, is_none):
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
+    box = find(observed(group))
+    monkeypatch.setattr(search, "shows_little", lambda *_: little)
+    view = SimpleNamespace(all_foreign=nothing)
+    assert search._is_vague(replace(box, compared=replace(box.compared, view=view)), sure) == is_none
+
+
 def test_rivals_make_an_answer_doubtful_but_not_none(monkeypatch):
     (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
     box = find(observed(group))

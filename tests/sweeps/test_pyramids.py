@@ -5,6 +5,7 @@ import pytest
 from round_sketches import PYRAMID, drawn, polyline
 from sketches import ink_of, line, outline
 
+from sketch2shape.geometry import are_simple
 from sketch2shape.strokes import thin, trace_skeleton
 from sketch2shape.sweeps import centres, pyramids
 
@@ -52,6 +53,18 @@ def test_a_line_to_a_side_makes_no_corner_of_the_base(end):
     # a corner on the line of its neighbours has a straight angle, a base that folds back on itself none that is wide
     assert max(widest) < np.pi - 0.1
     assert min(widest) > np.pi / 3 - 0.1
+
+
+def test_no_base_crosses_itself():
+    star = np.array([240.0, 200.0]) + 140 * np.array([[np.sin(t), -np.cos(t)] for t in 2 * np.pi * np.arange(5) / 5])
+    picture = outline(star)
+    for i in range(5):
+        line(picture, star[i], star[(i + 2) % 5])
+    skeleton = thin(ink_of(picture))
+    strokes = trace_skeleton(skeleton, 1.5)
+    found = list(pyramids([strokes], centres(strokes, 280.0), skeleton, 280.0))
+    assert len(found) > 4
+    assert all(are_simple(s.rings[0].vertices) for s in found)
 
 
 def widest_angle(ring):
