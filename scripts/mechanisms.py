@@ -222,6 +222,12 @@ MECHANISMS = (
     Mechanism("notches of outlines dropped", _in("search.sweep_improvement", _without_notches=_NONE)),
     Mechanism("outlines put on the ink of both faces", _in("search.sweep_pairs", retraced=_first)),
     Mechanism("a face drawn twice is no object", _in("search.search", LAID=HUGE)),
+    Mechanism(
+        "what explains anything is no object",
+        _in("search.search", is_crowded=_always(False)) | _in("search.sweeping", is_crowded=_always(False)),
+    ),
+    Mechanism("a doubtful face alone is no object", _in("search.search", shows_little=_always(False))),
+    Mechanism("writing makes answers doubtful", _in("search.objects", WRITING=1.0)),
     Mechanism("straight objects with round holes", _in("search.objects", find_drilled=_always(None))),
     Mechanism("points stand plumb", _in("search.found_sweep", _leaning=_always(0.0))),
     Mechanism("sides of a base cost", _in("search.sweeping", SIDE=0.0)),
