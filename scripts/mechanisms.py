@@ -73,7 +73,7 @@ def _everywhere(points: Any, _: Any) -> Any:
 
 
 def _all_simple(polygons: Any) -> Any:
-    return np.ones(len(polygons), np.bool_)
+    return np.ones(polygons.shape[:-2], np.bool_)
 
 
 def _as_swept(_: Any, backs: Any, *__: Any) -> Any:
@@ -170,7 +170,7 @@ MECHANISMS = (
     Mechanism("maps from two rungs", _in("hypotheses.wireframe", _from_two=_NO_MAPS)),
     Mechanism("maps from three rungs", _in("hypotheses.wireframe", _from_three=_NO_MAPS)),
     Mechanism("holes of wireframes", _in("hypotheses.wireframe", with_holes=_always(None))),
-    Mechanism("faces are simple polygons", _in("hypotheses.hypothesis", _are_simple=_all_simple)),
+    Mechanism("faces are simple polygons", _in("hypotheses.hypothesis", are_simple=_all_simple)),
     # the search for objects with arcs and points
     Mechanism("sweeps", _in("search.objects", find_sweep=_always(None))),
     Mechanism("a likely sweep stands at once", _in("search.objects", LIKELY=np.inf)),
