@@ -176,7 +176,7 @@ MECHANISMS = (
     Mechanism("a likely sweep stands at once", _in("search.objects", LIKELY=np.inf)),
     Mechanism("sweeps for ink that may be a hole", _in("search.objects", _leaves_some=_NO)),
     Mechanism("obtuse corners are no arcs", _in("search.objects", OBTUSE=np.inf)),
-    Mechanism("what costs more than no object is not improved", _in("search.sweeping", VAIN=np.inf)),
+    Mechanism("what leaves much is not improved", _in("search.sweeping", VAIN=np.inf)),
     Mechanism(
         "textures are not put together", _in("sweeps.joined", MOST_SHARED=HUGE) | _in("sweeps.spans", MOST_LINES=HUGE)
     ),

@@ -13,6 +13,9 @@ from sketch2shape.search.sweeping import SLIGHT
 FINE = 2.5
 """Width of a pen, working pixels, up to which lines may lie too close for the pixels there are. With 3.5 four more of
 1550 drawings were read, and wireframes of CAD programs took twice as long."""
+PARTLY = 0.95
+"""Price of a refused answer, over that of so much foreign ink, below which it is part of something else, not too fine:
+of ten plates of a few pixels that were read so none had less than 1."""
 MOST_PIXELS = 500_000
 """Pixels of the frame of the ink up to which a drawing is enlarged."""
 
@@ -25,12 +28,19 @@ def find_closely(ink: Ink) -> tuple[list[AnyFound], Ink]:
     """
     found = find_all(ink)
     best = max((f.confidence for f in found), default=0.0)
-    if best >= LIKELY or not _is_fine(ink):
+    if best >= LIKELY or not _is_fine(ink) or (best < REFUSE_BELOW and any(_is_partly(f) for f in found)):
         return found, ink
     closer = enlarged(ink)
     again = find_all(closer)
     least = LIKELY if best < REFUSE_BELOW else TRUSTED
     return (again, closer) if any(f.confidence >= least and _is_all(f) for f in again) else (found, ink)
+
+
+def _is_partly(found: AnyFound) -> bool:
+    """Whether it costs less than so much foreign ink: there are pixels enough then, and it is no object."""
+    if not isinstance(found, Found | FoundSweep) or found.compared is None or found.energy is None:
+        return False
+    return found.energy.total < PARTLY * found.compared.view.all_foreign
 
 
 def _is_all(found: AnyFound) -> bool:

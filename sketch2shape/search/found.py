@@ -30,6 +30,7 @@ class Found(Verified):
     compared  : held against the drawing
     energy    : what it and the drawing under it cost
     witnesses : what speaks for and against it by itself
+    is_none   : whether it is no object, however sure that makes it
     alone     : 0..1, how sure that alone makes it
     rival     : 0..1, how close another comes
     """
@@ -38,6 +39,7 @@ class Found(Verified):
     compared: Comparison | None = None
     energy: Energy | None = None
     witnesses: Floats | None = None
+    is_none: bool = False
     alone: float = 0.0
     rival: float = 0.0
 

@@ -133,9 +133,9 @@ def _chains(around: list[int], points: Floats, inked: Bools) -> Iterator[list[in
         after = [b for b in around if inked[walk[-1], b] and b not in walk]
         stack += [[*walk, b] for b in after]
         closes = len(walk) > 2 and inked[walk[0], walk[-1]]
-        if closes and not are_simple(points[walk]):
+        if (after and not closes) or len(walk) < 3 or frozenset(walk) in seen:
             continue
-        if (not after or closes) and len(walk) >= 3 and frozenset(walk) not in seen:
+        if not closes or are_simple(points[walk]):
             seen.add(frozenset(walk))
             yield walk
 

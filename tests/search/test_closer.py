@@ -1,5 +1,6 @@
 """A closer look: taken where fine lines are not read for sure, and believed where it is surer."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -62,6 +63,18 @@ def test_nor_is_one_that_leaves_ink(looks, monkeypatch):
 def test_thick_lines_need_no_closer_look(looks):
     thick = ink_of(prism(SQUARE, SQUARE + [40, -30.0], width=9))
     assert looks(thick, 0.3, 0.95) == ([0.3], 1, False)
+
+
+@pytest.mark.parametrize(("part", "looks"), [(closer.PARTLY - 0.01, 1), (closer.PARTLY + 0.01, 2)])
+def test_what_is_refused_and_yet_better_than_nothing_has_pixels_enough(monkeypatch, part, looks):
+    (box,) = find_closely(BOX)[0]
+    energy = box.energy._replace(foreign=part * box.compared.view.all_foreign - box.energy.total + box.energy.foreign)
+    seen = []
+    monkeypatch.setattr(
+        closer, "find_all", lambda ink: [seen.append(ink), replace(box, energy=energy, confidence=0.1)][1:]
+    )
+    find_closely(BOX)
+    assert len(seen) == looks
 
 
 def test_a_plate_of_four_pixels_is_read():

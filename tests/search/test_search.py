@@ -223,6 +223,16 @@ def test_only_an_answer_that_leaves_ink_and_is_not_trusted_gets_a_second_look(mo
     assert not again
 
 
+@pytest.mark.parametrize(("most", "confidence", "looks"), [(0, 0.01, 0), (0, 0.15, 1), (1000, 0.01, 1)])
+def test_a_tangle_that_the_first_look_cannot_explain_is_not_looked_at_again(monkeypatch, most, confidence, looks):
+    monkeypatch.setattr(search, "TANGLE", most)
+    monkeypatch.setattr(search, "_leaves_nothing", lambda _: False)
+    monkeypatch.setattr(search, "_told", lambda best: best and replace(best, confidence=confidence))
+    again = _counted(monkeypatch, "second_attempts")
+    found_in(prism(SQUARE, SQUARE + DEPTH))
+    assert len(again) == looks
+
+
 def test_what_a_climb_finds_where_nothing_was_has_to_be_likelier_right(monkeypatch):
     monkeypatch.setattr(search, "_likeliest", lambda best, _: best)
     none, some = _priced_at(100.0, 0.1), _priced_at(100.0, 0.3)
@@ -301,6 +311,19 @@ def test_a_table_is_no_object_however_well_it_is_explained(monkeypatch):
     assert _told(box).confidence > TRUSTED
     monkeypatch.setattr(search, "is_crosswise", lambda rings, noise: rings is box.rings and noise == box.energy.noise)
     assert _told(box).confidence < REFUSE_BELOW
+    # faces that are no cells, and all is explained
+    ell = _told(find(observed(split_groups(ink_of(prism(L_SHAPE, L_SHAPE + DEPTH)))[0])))
+    monkeypatch.setattr(search, "is_crosswise", lambda *_: True)
+    assert not _told(ell).is_none
+    monkeypatch.setattr(search, "_leaves_nothing", lambda _: False)
+    assert _told(ell).is_none
+
+
+def test_what_is_none_stays_none_without_a_rival():
+    (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
+    box = replace(find(observed(group)), confidence=0.1)
+    assert _against(box, [box]).confidence > 0.1
+    assert _against(replace(box, is_none=True), [box]).confidence == 0.1
 
 
 def test_what_explains_anything_is_no_object(monkeypatch):
