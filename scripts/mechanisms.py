@@ -226,6 +226,8 @@ MECHANISMS = (
         "what explains anything is no object",
         _in("search.search", is_crowded=_always(False)) | _in("search.sweeping", is_crowded=_always(False)),
     ),
+    Mechanism("a tangle gets one look", _in("search.search", TANGLE=HUGE)),
+    Mechanism("a closer look only where nothing fits", _in("search.closer", PARTLY=0.0)),
     Mechanism("a doubtful face alone is no object", _in("search.search", shows_little=_always(False))),
     Mechanism("writing makes answers doubtful", _in("search.objects", WRITING=1.0)),
     Mechanism("straight objects with round holes", _in("search.objects", find_drilled=_always(None))),
