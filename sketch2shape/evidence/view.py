@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sketch2shape.evidence.sheet import MOST_POINTS
 from sketch2shape.ink import Group
-from sketch2shape.model import Floats, Ints
+from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.strokes import Skeleton
 
 MOST_KNOWN = 1000
@@ -84,10 +84,19 @@ class View:
         """(p,) units of ink of each path."""
         return np.asarray(np.bincount(self.path, self.length, len(_paths(self.skeleton))) / self.unit)
 
-    @cached_property
+    @property
     def follows(self) -> Ints:
         """(p, 2) int, the path as which each goes on straight at each end, or -1."""
-        return _following(_paths(self.skeleton), self.pen)
+        return self._ends[0]
+
+    @property
+    def ends_freely(self) -> Bools:
+        """(p, 2) bool, whether no other path meets it at each end."""
+        return self._ends[1]
+
+    @cached_property
+    def _ends(self) -> tuple[Ints, Bools]:
+        return _followed(_paths(self.skeleton), self.pen)
 
     @cached_property
     def all_foreign(self) -> float:
@@ -97,8 +106,8 @@ class View:
     def foreign(self, left: Floats) -> float:
         """Nats for foreign ink; left: (p,) float, units of each path that are foreign."""
         foreign = left > MOSTLY * self.units
-        # a stroke that crosses others is told once
-        told = (self.follows >= 0) & foreign[self.follows] & foreign[:, None]
+        # a stroke that crosses others is told once, and one that runs on past an edge's end starts there
+        told = (self.follows >= 0) & foreign[:, None] & (foreign[self.follows] | self.ends_freely[:, ::-1])
         return float(foreign_price(left, STROKE * (1.0 - told.mean(axis=1))).sum())
 
 
@@ -111,11 +120,11 @@ def _paths(skeleton: Skeleton) -> list[NDArray[Any]]:
     return [p for p in skeleton.paths if len(p)]
 
 
-def _following(paths: list[NDArray[Any]], pen: float) -> Ints:
-    """See `View.follows`."""
+def _followed(paths: list[NDArray[Any]], pen: float) -> tuple[Ints, Bools]:
+    """See `View.follows` and `View.ends_freely`."""
     none = np.full((len(paths), 2), -1)
     if not 0 < len(paths) <= MOST_LINKED:
-        return none
+        return none, np.zeros(none.shape, np.bool_)
     near = round(AHEAD * pen) + 1
     points, last = np.concatenate(paths).astype(float), np.cumsum([len(p) for p in paths]) - 1
     first = np.append(0, last[:-1] + 1)
@@ -125,12 +134,14 @@ def _following(paths: list[NDArray[Any]], pen: float) -> Ints:
     out /= np.hypot(*out.T)[:, None] + 1e-9
     at = ends.reshape(-1, 2)
     apart = np.abs(at[:, None] - at).max(axis=2)
-    turned = np.where(apart <= MEETING * pen + BLUR, out @ out.T, 1.0)
+    meet = apart <= MEETING * pen + BLUR
+    turned = np.where(meet, out @ out.T, 1.0)
     own = np.arange(len(at))
     turned[own, own] = turned[own, own ^ 1] = 1.0
     best = turned.argmin(axis=1)
     mutual = (best[best] == own) & (turned[own, best] < -ALONG)
-    return np.asarray(np.where(mutual, best // 2, none.ravel()).reshape(-1, 2))
+    follows = np.where(mutual, best // 2, none.ravel()).reshape(-1, 2)
+    return np.asarray(follows), np.asarray((meet.sum(axis=1) == 1).reshape(-1, 2))
 
 
 def observe(group: Group, skeleton: Skeleton) -> View:

@@ -122,6 +122,18 @@ def test_a_stroke_that_crosses_another_is_told_once():
     assert priced(BOX, picture).foreign < 2.2 * (STROKE + STROKE_UNIT * 60)
 
 
+def test_a_line_that_runs_on_past_the_end_of_an_edge_is_half_told_by_that_edge():
+    corner = SQUARE[2]
+    on = priced(BOX, line(prism(SQUARE, SQUARE + DEPTH), corner, corner + [0.0, 60])).foreign
+    aside = priced(BOX, line(prism(SQUARE, SQUARE + DEPTH), corner, corner + [42.0, 42])).foreign
+    assert aside == pytest.approx(STROKE + STROKE_UNIT * 60 / 4, rel=0.15)
+    assert aside - on == pytest.approx(0.5 * STROKE, rel=0.15)
+    # where it ends at other lines it is no careless end but a part of something
+    picture = line(prism(SQUARE, SQUARE + DEPTH), corner, corner + [0.0, 60])
+    line(line(picture, corner + [0.0, 60], corner + [60.0, 80]), corner + [0.0, 60], corner + [-60.0, 80])
+    assert priced(BOX, picture).foreign > on + 2.4 * STROKE
+
+
 def test_the_nearest_edge_is_the_nearest_shown_part():
     a, span = np.array([[0.0, 0], [0, 10]]), np.array([[10.0, 0], [10, 0]])
     points = np.array([[2.0, 4], [8, 4], [12, 0]])
