@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 #: modules that the fork server imports once for all workers: what one picture or another needs, also inside functions
 PRELOAD = (
-    *("numpy", "cv2", "PIL.PngImagePlugin", "PIL.JpegImagePlugin", "shapely", "skimage.morphology"),
+    *("numpy", "numpy.ma", "cv2", "PIL.PngImagePlugin", "PIL.JpegImagePlugin", "shapely"),
     *(
         "sketch2shape.conversion.convert",
         "sketch2shape.pipeline.reconstruction",

@@ -8,6 +8,7 @@ from sketch2shape.ink.drawn_lines import drawn, is_ruled, strokes_of
 from sketch2shape.ink.enlarged import enlarged
 from sketch2shape.ink.find import find_ink
 from sketch2shape.ink.groups import Group, split_groups
+from sketch2shape.ink.thinning import thinned_ink
 
 __all__ = [
     "Group",
@@ -19,4 +20,5 @@ __all__ = [
     "is_ruled",
     "split_groups",
     "strokes_of",
+    "thinned_ink",
 ]

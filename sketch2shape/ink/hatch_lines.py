@@ -14,6 +14,7 @@ import numpy as np
 
 from sketch2shape.ink.lines import Lines, arcs_of, lines_of
 from sketch2shape.ink.pen_width import rough_pen_width
+from sketch2shape.ink.thinning import thinned_ink
 from sketch2shape.model import Bools, Floats, Gray, Ints, as_gray
 
 MOST = 400
@@ -79,9 +80,7 @@ def without_hatch_lines(mask: Bools) -> Bools:
     farthest = FARTHEST * float(np.hypot(w, h))
     if not any(_has_even_gaps(rows, WIDE * farthest) for rows in (part[::SCANNED], part[:, ::SCANNED].T)):
         return mask
-    from skimage.morphology import skeletonize
-
-    skeleton = np.asarray(skeletonize(part > 0), np.bool_)  # type: ignore[no-untyped-call]
+    skeleton = thinned_ink(part).view(np.bool_)
     pen = rough_pen_width(part > 0)
     arcs, joints = arcs_of(skeleton, pen)
     if int(arcs.max()) > MOST_ARCS:

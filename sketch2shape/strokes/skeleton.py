@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sketch2shape.ink import drawn
+from sketch2shape.ink import drawn, thinned_ink
 from sketch2shape.model import Bools, Floats, Ink, Ints
 from sketch2shape.strokes.blots import blots_of
 from sketch2shape.strokes.known_lines import known_paths
@@ -84,10 +84,7 @@ def thin(ink: Ink) -> Skeleton:
         known = known_paths(ink.lines, ink.mask.shape)
         drawn_thinly = drawn(known, ink.mask.shape, 1).view(np.uint8)
         return Skeleton(drawn_thinly, np.concatenate([np.zeros((0, 2)), *known]), tuple(known), ink.pen_width)
-    from skimage.morphology import skeletonize
-
-    # scikit-image before 0.23 refuses a view into a larger picture
-    mask = np.asarray(skeletonize(np.ascontiguousarray(ink.mask)), np.uint8)  # type: ignore[no-untyped-call]
+    mask = thinned_ink(ink.mask)
     # one pixel of margin lets the neighbour count and the contours treat border pixels like all others
     branches = cv2.copyMakeBorder(mask, 1, 1, 1, 1, cv2.BORDER_CONSTANT)
     around = cv2.boxFilter(branches, cv2.CV_8U, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT)
