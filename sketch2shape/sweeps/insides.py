@@ -13,6 +13,8 @@ from sketch2shape.model import Bools, Floats, Gray, as_gray
 
 ROOM = 2
 """Pixels around the lines that the map reaches beyond them, so that its border lies outside."""
+MOST_SIDE = 4096
+"""Pixels of a side of the map: of a larger shape, which no drawing shows, the rest is outside."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +32,8 @@ class Inside:
     def of(cls, lines: Sequence[Floats]) -> Inside:
         """The inside of closed lines (k, 2), the outer one first, those of holes after it."""
         low = np.floor(lines[0].min(axis=0)) - ROOM
-        wide, high = (np.ceil(lines[0].max(axis=0)) + ROOM + 1 - low).astype(int).tolist()
+        extent = np.ceil(lines[0].max(axis=0)) + ROOM + 1 - low
+        wide, high = np.minimum(extent, MOST_SIDE).astype(int).tolist()
         mask: Gray = np.zeros((high, wide), np.uint8)
         cv2.fillPoly(mask, [np.round(line - low).astype(np.int32) for line in lines], 1)
         depth = cv2.distanceTransform(as_gray(mask), cv2.DIST_L2, cv2.DIST_MASK_3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sketch2shape.sweeps.insides import Inside
+from sketch2shape.sweeps.insides import MOST_SIDE, Inside
 
 SQUARE = np.array([[10.0, 10], [50, 10], [50, 50], [10, 50]])
 HOLE = np.array([[24.0, 24], [36, 24], [36, 36], [24, 36]])
@@ -23,3 +23,10 @@ def test_the_margin_is_kept():
     inside = Inside.of([SQUARE])
     assert inside.holds(np.array([[20.0, 30]]), 5.0)
     assert not inside.holds(np.array([[20.0, 30]]), 12.0)
+
+
+def test_a_shape_larger_than_any_drawing_takes_no_more_memory():
+    huge = np.array([[0.0, 0], [3e5, 0], [3e5, 3e5], [0, 3e5]])
+    inside = Inside.of([huge])
+    assert max(inside.depth.shape) == MOST_SIDE
+    assert inside.holds(np.array([[50.0, 60.0], [-50.0, 60.0], [2e5, 2e5]]), 3.0).tolist() == [True, False, False]
