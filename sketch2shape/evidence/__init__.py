@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sketch2shape.evidence.behind import shown_behind, shows_little
+from sketch2shape.evidence.behind import BESIDE, shown_behind, shows_little
 from sketch2shape.evidence.calibration import EVEN_ODDS, REFUSE_BELOW, Weights, confidence
 from sketch2shape.evidence.chords import faces_of
 from sketch2shape.evidence.coverage import coverage, is_crowded
@@ -20,6 +20,7 @@ from sketch2shape.evidence.view import View, observe
 from sketch2shape.evidence.witness import WITNESSES, is_crosswise, witnesses
 
 __all__ = [
+    "BESIDE",
     "EVEN_ODDS",
     "LEAST_DRAWN",
     "PERFECT",

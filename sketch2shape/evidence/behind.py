@@ -11,7 +11,7 @@ BESIDE = 0.012
 """Fraction of the drawing's size within which a line is drawn along the front face's outline."""
 LITTLE = 0.35
 """Length of what is seen behind a front face, over that of its outline, below which hardly anything tells the depth: of
-222 right answers with hidden lines none showed less than 0.5, of nine found in overlaid polygons all showed less."""
+619 right straight answers one showed less, 0.25, and is sure; of eleven found in overlaid polygons seven did."""
 
 
 def shows_little(rings: Rings, compared: Comparison) -> bool:
@@ -21,7 +21,7 @@ def shows_little(rings: Rings, compared: Comparison) -> bool:
 
 def shown_behind(rings: Rings, compared: Comparison) -> float:
     """Length of what is seen of an object apart from its front face's outline, over the length of that outline."""
-    (a, span), wires = rings.lines, frame(rings.sizes)
+    (a, span), wires = rings.segments, frame(rings.sizes)
     others = np.concatenate([wires.backs, wires.rungs])
     seen = compared.wanted[others] > 0
     n = seen.shape[1]

@@ -16,8 +16,8 @@ from sketch2shape.model import Floats
 GRID = 24
 """Places across and down at which the inside is probed."""
 CROWDED = 0.7
-"""Part of the inside from which on an object explains anything: of 120 right answers of pictures none had more than
-0.5, of 22 prisms found in writing 20 had more than 0.8."""
+"""Part of the inside from which on an object explains anything: of 127 right answers of pictures none had more than
+0.48, of 32 found in pictures of none, such as writing, 17 had more than 0.8 and three between."""
 
 
 def is_crowded(start: Floats, span: Floats, noise: float) -> bool:

@@ -186,8 +186,8 @@ def compare(rings: Rings, view: View, drawn: Bools, margin: float) -> Comparison
     one = stack([rings])
     samples = edge_samples(one)
     depth = hidden_depth(one, margin)[0]
-    v, edges = rings.vertices, one.frame.edges
-    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    v = rings.vertices
+    a, span = rings.segments
     lengths = np.hypot(span[:, 0], span[:, 1])
     n = samples.shape[2]
     each = (lengths / n / view.unit)[:, None]

@@ -16,7 +16,7 @@ import numpy as np
 from sketch2shape.evidence.sheet import Sheet
 from sketch2shape.evidence.visibility import edge_samples, hidden_depth, hidden_samples, in_picture
 from sketch2shape.geometry import project
-from sketch2shape.hypotheses import Frame, Rings, Stack, frame, stack
+from sketch2shape.hypotheses import Frame, Rings, Stack, stack
 from sketch2shape.model import Bools, Floats, Ints, Lines
 
 STYLES: tuple[Lines, Lines, Lines] = ("wire", "dashed", "removed")
@@ -195,8 +195,7 @@ def is_dashed(rings: Rings, sheet: Sheet) -> bool:
     """Whether the hidden edges have clearly less ink to the pixel than the visible ones."""
     hidden, perhaps = hidden_samples(rings, 1.5 * sheet.reach)
     back, front = hidden.mean(axis=1) > 0.8, perhaps.mean(axis=1) < 0.1
-    v, edges = rings.vertices, frame(rings.sizes).edges
-    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    a, span = rings.segments
     length = np.linalg.norm(span, axis=1) + 1e-9
     long = length > 6 * sheet.reach
     if not (back & long).any() or not (front & long).any():

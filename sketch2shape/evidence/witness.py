@@ -58,8 +58,8 @@ SPANNED = 0.05
 def witnesses(rings: Rings, energy: Energy, compared: Comparison, evidence: Evidence) -> Floats:
     """(w,) float, see `WITNESSES`."""
     view = compared.view
-    v, edges = rings.vertices, frame(rings.sizes).edges
-    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
+    v = rings.vertices
+    a, span = rings.segments
     length = np.hypot(span[:, 0], span[:, 1]) + 1e-9
     distance, edge = compared.every
     reach = near_line(energy.noise)

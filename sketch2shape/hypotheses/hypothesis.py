@@ -40,7 +40,7 @@ class Rings(NamedTuple):
         return tuple(len(r) for r in self.front)
 
     @property
-    def lines(self) -> tuple[Floats, Floats]:
+    def segments(self) -> tuple[Floats, Floats]:
         """(e, 2) float, pixels: where each edge begins, and (e, 2) the way to its end."""
         ends = self.vertices[frame(self.sizes).edges]
         return ends[:, 0], ends[:, 1] - ends[:, 0]

@@ -15,7 +15,7 @@ FINE = 2.5
 1550 drawings were read, and wireframes of CAD programs took twice as long."""
 PARTLY = 0.95
 """Price of a refused answer, over that of so much foreign ink, below which it is part of something else, not too fine:
-of ten plates of a few pixels that were read so none had less than 1."""
+of seven plates of a few pixels that were refused and then read so, none had less than 1."""
 MOST_PIXELS = 500_000
 """Pixels of the frame of the ink up to which a drawing is enlarged."""
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sketch2shape.evidence import faces_of, nearest_edges
-from sketch2shape.hypotheses import Rings, frame, split
+from sketch2shape.hypotheses import Rings, split
 from sketch2shape.lifting import OTHER_PAIRS
 from sketch2shape.model import Floats
 from sketch2shape.search.found import Found
@@ -84,10 +84,8 @@ def _left(skeleton: Skeleton, straight: Found, least: float) -> Skeleton | None:
 
     A hole lies within two faces: dimensions, letters and arrows around the object are none.
     """
-    v, edges = straight.rings.vertices, frame(straight.rings.sizes).edges
-    a, span = v[edges[:, 0]], v[edges[:, 1]] - v[edges[:, 0]]
     reach = max(STRAYS * straight.noise, OWN_PENS * skeleton.pen_width) + BLUR
-    distance, _ = nearest_edges(skeleton.points, a, span)
+    distance, _ = nearest_edges(skeleton.points, *straight.rings.segments)
     mask = skeleton.mask & _covered(straight.rings, skeleton.mask.shape)
     x, y = np.rint(skeleton.points[distance <= reach]).astype(np.intp).T
     mask[y, x] = 0

@@ -27,7 +27,8 @@ from sketch2shape.sweeps import LEAST_PATH
 MOST_VAIN = 3
 """Groups of ink without an object after which a sheet is taken for writing; the largest are looked at first."""
 WRITING = 0.1
-"""Odds of an answer after a group without an object that was looked at before, over its odds without."""
+"""Odds of an answer after a group without an object that was looked at before, over its odds without: no right answer
+of the pictures of people and programs had one before it, of 18 sheets of writing five were answered."""
 LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 BOWED, SOME_BOWED = 0.08, 0.02

@@ -75,8 +75,8 @@ CELL = 4
 BARE = 0.05
 """Part of an edge with ink below which it has none."""
 TANGLE = 60
-"""Strokes from which on what the first look cannot explain is not looked at again: of 119 right answers of a second
-look one has more, and is doubtful."""
+"""Strokes from which on what the first look cannot explain is not looked at again: of 868 drawings answered right nine
+had more, two of them straight ones, at 0.28 and 0.19."""
 ANOTHER = 0.03
 """Fraction of the drawing's size by which an edge lies elsewhere at least where it makes another object."""
 
@@ -184,7 +184,7 @@ def _told(best: Found | None) -> Found | None:
     told = witnesses(best.rings, best.energy, best.compared, best.evidence)
     sure = confidence(told)
     is_none = _is_flat(best.evidence.drawn, told) or _is_vague(best, sure) or _is_table(best)
-    is_none |= is_crowded(*best.rings.lines, best.energy.noise)
+    is_none |= is_crowded(*best.rings.segments, best.energy.noise)
     return replace(best, witnesses=told, is_none=is_none, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
 
 

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from sketch2shape.evidence import EVEN_ODDS, is_crowded
+from sketch2shape.evidence import BESIDE, EVEN_ODDS, is_crowded
 from sketch2shape.geometry import are_simple
 from sketch2shape.model import TRUSTED
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, priced
@@ -39,9 +39,8 @@ VAIN = 0.45
 answers one left 0.41, all others 0.33 at most."""
 APART = 1.5
 """Pens from the nearest solid line beyond which a line is none."""
-LEAST_BEHIND, BESIDE = 0.08, 0.012
-"""Length of what is seen behind a near front face, over that of its outline, at least; and fraction of the drawing's
-size within which it is beside that outline."""
+LEAST_BEHIND = 0.08
+"""Length of what is seen behind a near front face, over that of its outline, at least."""
 
 
 _Begun: TypeAlias = tuple[FoundSweep, Iterator[Sweep]]

@@ -19,18 +19,18 @@ def test_the_sides_of_a_square_reach_a_frame_of_it(noise):
 
 
 def test_lines_that_reach_everything_explain_anything():
-    assert not is_crowded(*BOX.lines, 0.5)
-    assert coverage(*BOX.lines, 100.0) == 1.0
+    assert not is_crowded(*BOX.segments, 0.5)
+    assert coverage(*BOX.segments, 100.0) == 1.0
     flat = Rings((SQUARE * [1.0, 0.05],), (SQUARE * [1.0, 0.05] + [20.0, 3.0],))
-    assert is_crowded(*flat.lines, 2.0)
+    assert is_crowded(*flat.segments, 2.0)
 
 
 @pytest.mark.parametrize("scale", [0.5, 3.0])
 @pytest.mark.parametrize("turn", [0.0, 0.7])
 def test_it_depends_on_neither_size_nor_direction(scale, turn):
     c, s = np.cos(turn), np.sin(turn)
-    start, span = (scale * both @ np.array([[c, s], [-s, c]]) for both in BOX.lines)
-    assert coverage(start, span, 3.0 * scale) == pytest.approx(coverage(*BOX.lines, 3.0), abs=0.06)
+    start, span = (scale * both @ np.array([[c, s], [-s, c]]) for both in BOX.segments)
+    assert coverage(start, span, 3.0 * scale) == pytest.approx(coverage(*BOX.segments, 3.0), abs=0.06)
 
 
 def test_lines_without_an_inside_reach_all_of_it():

@@ -36,7 +36,7 @@ def test_ink_at_the_border_and_none_at_all():
 
 def test_the_ink_given_stays_as_it_is_and_may_be_a_view():
     mask = np.zeros((30, 40), np.uint8)
-    mask[5:25:, 4:36] = 255
+    mask[5:25, 4:36] = 255
     before, part = mask.copy(), mask[3:28, 2:38]
     thin = thinned_ink(part)
     assert (mask == before).all()

@@ -69,10 +69,13 @@ def test_thick_lines_need_no_closer_look(looks):
 def test_what_is_refused_and_yet_better_than_nothing_has_pixels_enough(monkeypatch, part, looks):
     (box,) = find_closely(BOX)[0]
     energy = box.energy._replace(foreign=part * box.compared.view.all_foreign - box.energy.total + box.energy.foreign)
-    seen = []
-    monkeypatch.setattr(
-        closer, "find_all", lambda ink: [seen.append(ink), replace(box, energy=energy, confidence=0.1)][1:]
-    )
+    seen, refused = [], replace(box, energy=energy, confidence=0.1)
+
+    def find_all(ink):
+        seen.append(ink)
+        return [refused]
+
+    monkeypatch.setattr(closer, "find_all", find_all)
     find_closely(BOX)
     assert len(seen) == looks
 
