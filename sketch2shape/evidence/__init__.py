@@ -17,7 +17,7 @@ from sketch2shape.evidence.sweep_calibration import sweep_confidence
 from sketch2shape.evidence.sweep_witness import SWEEP_WITNESSES, sweep_witnesses, unexplained_part
 from sketch2shape.evidence.unexplained import unexplained_strokes
 from sketch2shape.evidence.view import View, observe
-from sketch2shape.evidence.witness import WITNESSES, is_crosswise, witnesses
+from sketch2shape.evidence.witness import WITNESSES, is_table, witnesses
 
 __all__ = [
     "BESIDE",
@@ -40,9 +40,9 @@ __all__ = [
     "coverage",
     "exactly_drawn",
     "faces_of",
-    "is_crosswise",
     "is_crowded",
     "is_dashed",
+    "is_table",
     "judge",
     "judge_all",
     "judge_stack",

@@ -51,6 +51,8 @@ BLUR, PEN_BOW = 0.5, 0.1
 """Pixels, and pens more, by which the ink of a straight edge may seem to bow."""
 ASIDE = 3.0
 """Standard deviations of the hand by which the ends of an edge lie aside of a line that runs in another direction."""
+CORNERS = 4
+"""Corners of a table."""
 SPANNED = 0.05
 """Variance of a parabola over the ink of an edge from which its bow can be told; over a whole edge it is 0.089."""
 
@@ -189,11 +191,24 @@ def directions(span: Floats, length: Floats, enough: int | None = None) -> int:
     return len(found)
 
 
-def is_crosswise(rings: Rings, noise: float) -> bool:
+def is_table(rings: Rings, noise: float, *, is_all: bool) -> bool:
     """Whether all edges run in two directions, to the noise of the hand, pixels: a table is drawn so, and no object.
 
-    The third direction of an object shows even where it is seen nearly along a face.
+    The third direction of an object shows even where it is seen nearly along a face. Where it does not, as in an L seen
+    along its arm, the outline has more than four sides.
+
+    is_all : whether it explains all there is; else it may be a part of a table
     """
+    return _is_crosswise(rings, noise) and (not is_all or _is_four_sided(rings.vertices, noise))
+
+
+def _is_four_sided(v: Floats, noise: float) -> bool:
+    """Whether the hull of vertices (k, 2) is a quadrangle, to the noise of the hand, pixels."""
+    hull = cv2.convexHull(v.astype(np.float32))
+    return len(cv2.approxPolyDP(hull, ASIDE * noise, True)) <= CORNERS
+
+
+def _is_crosswise(rings: Rings, noise: float) -> bool:
     edges = frame(rings.sizes).edges
     left = rings.vertices[edges[:, 1]] - rings.vertices[edges[:, 0]]
     for _ in range(2):

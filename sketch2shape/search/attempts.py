@@ -187,6 +187,13 @@ class Looks:
         return list(_rounds(self.group, self.skeleton, iter(range(MOST_STEPS_IN_ALL))))
 
     @cached_property
+    def strokes(self) -> int:
+        """How many strokes there are: those of a hand that trembles traced coarsely, as a fine trace cuts them."""
+        finest = next(iter(self.rounds), self.close)
+        coarse = next((look for look in self.rounds if look.number >= COARSE), finest)
+        return len((finest if finest.is_steady else coarse).traced.strokes.ends)
+
+    @cached_property
     def close(self) -> _Look:
         """A close look."""
         steps = self.rounds[0].steps if self.rounds else iter(())

@@ -22,8 +22,8 @@ from sketch2shape.evidence import (
     View,
     against_rivals,
     confidence,
-    is_crosswise,
     is_crowded,
+    is_table,
     rivalry,
     shows_little,
     with_hidden,
@@ -70,8 +70,6 @@ no more. Chosen on pictures of people and programs and drawings of the generator
 LAID = 0.4
 """Part of all that is seen of edges that lies along others from which on both faces are one; right answers with
 vertices that nobody has drawn have 0.2 at most."""
-CELL = 4
-"""Vertices of a table's cell."""
 BARE = 0.05
 """Part of an edge with ink below which it has none."""
 TANGLE = 60
@@ -89,11 +87,11 @@ def find(seen: Observed) -> Found | None:
     looks = Looks(seen.group, seen.skeleton)
     tried, found = list[Attempt](), list[Found]()
     for look in (attempts, second_attempts):
-        _search(_noted(look(looks), tried), seen.view, found)
+        _search(_noted(look(looks), tried), seen.view, found, is_dense=looks.strokes > DENSE)
         best = _told(best_of(found))
         if best is not None and (best.confidence >= TRUSTED or _leaves_nothing(best)):
             break
-        if _is_tangle(looks) and (best is None or best.confidence < 0.5 * REFUSE_BELOW):
+        if looks.strokes > TANGLE and (best is None or best.is_none):
             return best and _against(best, found)
     else:
         _search(climbed_attempts(looks, tried), seen.view, found)
@@ -103,11 +101,6 @@ def find(seen: Observed) -> Found | None:
     if best is not None and best.confidence >= TRUSTED:
         best = _looked_at_again(best, looks, seen.view, found)
     return best and _with_hidden(_against(best, found))
-
-
-def _is_tangle(looks: Looks) -> bool:
-    """Whether there are more strokes than a second look has ever made a likely answer of."""
-    return bool(looks.rounds) and len(looks.rounds[0].traced.strokes.ends) > TANGLE
 
 
 def _above(known: Found | None, looks: Looks, view: View, found: list[Found]) -> Found | None:
@@ -183,16 +176,10 @@ def _told(best: Found | None) -> Found | None:
         return None
     told = witnesses(best.rings, best.energy, best.compared, best.evidence)
     sure = confidence(told)
-    is_none = _is_flat(best.evidence.drawn, told) or _is_vague(best, sure) or _is_table(best)
+    is_none = _is_flat(best.evidence.drawn, told) or _is_vague(best, sure)
+    is_none |= is_table(best.rings, best.energy.noise, is_all=_leaves_nothing(best))
     is_none |= is_crowded(*best.rings.segments, best.energy.noise)
     return replace(best, witnesses=told, is_none=is_none, confidence=min(sure, 0.5 * REFUSE_BELOW) if is_none else sure)
-
-
-def _is_table(best: Found) -> bool:
-    """Whether its lines run in two directions alone, unless it has faces that are no cells and explains everything."""
-    if best.energy is None or not is_crosswise(best.rings, best.energy.noise):
-        return False
-    return sum(best.rings.sizes) <= CELL or not _leaves_nothing(best)
 
 
 def _is_vague(best: Found, sure: float) -> bool:
@@ -236,14 +223,16 @@ def _gap(best: Found, found: list[Found]) -> float:
     return min([view.all_foreign, *rivals]) - best.energy.total
 
 
-def _search(tries: Iterable[Attempt], view: View, found: list[Found]) -> None:
+def _search(tries: Iterable[Attempt], view: View, found: list[Found], *, is_dense: bool = False) -> None:
     """Add the hypotheses of some attempts to those found, until more of them bring nothing new.
 
     What explains little is refined last, and only if no attempt explains the drawing.
+
+    is_dense : whether there are more strokes than any drawing has
     """
     stale, best, poor = 0, best_of(found), list[Attempt]()
     for attempt in tries:
-        if best is None and not poor and _is_scribble(attempt):
+        if is_dense and best is None and not poor and _is_scribble(attempt):
             break
         if 0.0 < attempt.score < LEAST:
             poor.append(attempt)
@@ -272,13 +261,8 @@ def _leaves_nothing(best: Found) -> bool:
 
 
 def _is_scribble(attempt: Attempt) -> bool:
-    """Whether there are more strokes than any drawing has, and nothing explains them even roughly.
-
-    A wireframe may have as many: it gets another round.
-    """
-    if attempt.score >= 0.5 or len(attempt.traced.strokes.ends) <= DENSE:
-        return False
-    return attempt.number > 0 or not is_wireframe(attempt.traced.corners)
+    """Whether nothing explains so many strokes even roughly. A wireframe may have as many: it gets another round."""
+    return attempt.score < 0.5 and (attempt.number > 0 or not is_wireframe(attempt.traced.corners))
 
 
 def _refined_of(attempt: Attempt, view: View, known: list[Found]) -> list[Found]:

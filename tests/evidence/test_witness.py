@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sketches import DEPTH, HEXAGON, SQUARE, ink_of, line, outline, paper, prism, sheet_of
 
-from sketch2shape.evidence import WITNESSES, compare, is_crosswise, judge, observe, witnesses
+from sketch2shape.evidence import WITNESSES, compare, is_table, judge, observe, witnesses
 from sketch2shape.hypotheses.hypothesis import Rings
 from sketch2shape.ink import split_groups
 from sketch2shape.model.drawing import ring_edges
@@ -124,9 +124,18 @@ def test_an_arc_bows_in_both_faces_and_a_hand_in_one():
 
 def test_a_table_runs_in_two_directions_and_a_box_seen_nearly_along_a_face_does_not():
     table = Rings((SQUARE,), (SQUARE + [0.0, 60],))
-    assert is_crosswise(table, 0.5)
-    assert is_crosswise(Rings((SQUARE + [[0.0, 0.5], [0, -0.5], [0, 0.5], [0, 0]],), table.back), 0.5)
+    assert is_table(table, 0.5, is_all=True)
+    assert is_table(Rings((SQUARE + [[0.0, 0.5], [0, -0.5], [0, 0.5], [0, 0]],), table.back), 0.5, is_all=True)
     turn = np.array([[0.8, 0.6], [-0.6, 0.8]])
-    assert is_crosswise(Rings((SQUARE @ turn,), (table.back[0] @ turn,)), 0.5)
-    assert not is_crosswise(Rings((SQUARE,), (SQUARE + [6.0, 60],)), 0.5)
-    assert not is_crosswise(Rings((SQUARE,), (SQUARE + DEPTH,)), 0.5)
+    assert is_table(Rings((SQUARE @ turn,), (table.back[0] @ turn,)), 0.5, is_all=True)
+    assert not is_table(Rings((SQUARE,), (SQUARE + [6.0, 60],)), 0.5, is_all=True)
+    assert not is_table(Rings((SQUARE,), (SQUARE + DEPTH,)), 0.5, is_all=True)
+
+
+def test_a_table_of_many_cells_is_one_and_an_l_seen_along_its_arm_is_not():
+    cells = np.array([[0.0, 0], [30, 0], [60, 0], [90, 0], [90, 50], [60, 50], [30, 50], [0, 50]])
+    assert is_table(Rings((cells,), (cells + [0.0, 50],)), 0.5, is_all=True)
+    ell = np.array([[0.0, 0], [60, 0], [60, 100], [30, 100], [30, 40], [0, 40]])
+    along = Rings((ell,), (ell + [0.0, 20],))
+    assert not is_table(along, 0.5, is_all=True)
+    assert is_table(along, 0.5, is_all=False)

@@ -1,6 +1,7 @@
 """What each round makes of a drawing, and in which order rounds are asked."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -101,3 +102,17 @@ def test_a_second_look_traces_nothing_anew(monkeypatch):
     assert calls == []
     assert list(second_attempts(Looks(group, thin(group.ink))))
     assert calls
+
+
+def test_strokes_of_a_hand_that_trembles_are_counted_coarsely():
+    def look(number, strokes, *, steady):
+        traced = SimpleNamespace(strokes=SimpleNamespace(ends=[0] * strokes))
+        return SimpleNamespace(number=number, is_steady=steady, traced=traced)
+
+    def counted(*looks):
+        return Looks.strokes.func(SimpleNamespace(rounds=looks, close=look(6, 90, steady=True)))
+
+    assert counted(look(0, 70, steady=True), look(3, 12, steady=True)) == 70
+    assert counted(look(1, 70, steady=False), look(2, 70, steady=False), look(3, 12, steady=False)) == 12
+    assert counted(look(1, 70, steady=False)) == 70
+    assert counted() == 90

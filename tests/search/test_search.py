@@ -19,7 +19,6 @@ from sketch2shape.search import FoundSweep, as_object, find_all, sweep_as_object
 from sketch2shape.search.found import TIE
 from sketch2shape.search.observed import observed
 from sketch2shape.search.search import (
-    DENSE,
     LAID,
     LOG_ODDS,
     WITNESSED,
@@ -148,13 +147,12 @@ def test_what_is_no_object_gets_no_confidence(picture):
     assert all(o.confidence < 0.5 for o in found_in(picture))
 
 
-@pytest.mark.parametrize(("strokes", "score", "looks"), [(DENSE + 1, 0.0, 1), (DENSE, 0.0, 3), (DENSE + 1, 0.5, 3)])
-def test_a_scribble_is_not_looked_at_again(monkeypatch, strokes, score, looks):
+@pytest.mark.parametrize(("dense", "score", "looks"), [(True, 0.0, 1), (False, 0.0, 3), (True, 0.5, 3)])
+def test_a_scribble_is_not_looked_at_again(monkeypatch, dense, score, looks):
     monkeypatch.setattr("sketch2shape.search.search._refined_of", lambda *_: [])
-    traced = SimpleNamespace(strokes=SimpleNamespace(ends=np.zeros((strokes, 2, 2))))
-    tries = [SimpleNamespace(number=n, score=score, traced=traced, is_whole=True) for n in (1, 2, 3)]
+    tries = [SimpleNamespace(number=n, score=score, is_whole=True) for n in (1, 2, 3)]
     taken, found = [], []
-    _search((taken.append(t) or t for t in tries), None, found)
+    _search((taken.append(t) or t for t in tries), None, found, is_dense=dense)
     assert found == []
     assert len(taken) == looks
 
@@ -223,11 +221,11 @@ def test_only_an_answer_that_leaves_ink_and_is_not_trusted_gets_a_second_look(mo
     assert not again
 
 
-@pytest.mark.parametrize(("most", "confidence", "looks"), [(0, 0.01, 0), (0, 0.15, 1), (1000, 0.01, 1)])
-def test_a_tangle_that_the_first_look_cannot_explain_is_not_looked_at_again(monkeypatch, most, confidence, looks):
+@pytest.mark.parametrize(("most", "is_none", "looks"), [(0, True, 0), (0, False, 1), (1000, True, 1)])
+def test_a_tangle_that_the_first_look_cannot_explain_is_not_looked_at_again(monkeypatch, most, is_none, looks):
     monkeypatch.setattr(search, "TANGLE", most)
     monkeypatch.setattr(search, "_leaves_nothing", lambda _: False)
-    monkeypatch.setattr(search, "_told", lambda best: best and replace(best, confidence=confidence))
+    monkeypatch.setattr(search, "_told", lambda best: best and replace(best, confidence=0.1, is_none=is_none))
     again = _counted(monkeypatch, "second_attempts")
     found_in(prism(SQUARE, SQUARE + DEPTH))
     assert len(again) == looks
@@ -309,14 +307,16 @@ def test_a_table_is_no_object_however_well_it_is_explained(monkeypatch):
     (group,) = split_groups(ink_of(prism(SQUARE, SQUARE + DEPTH)))
     box = find(observed(group))
     assert _told(box).confidence > TRUSTED
-    monkeypatch.setattr(search, "is_crosswise", lambda rings, noise: rings is box.rings and noise == box.energy.noise)
+    asked = []
+    monkeypatch.setattr(
+        search, "is_table", lambda rings, noise, *, is_all: asked.append((rings, noise, is_all)) or True
+    )
     assert _told(box).confidence < REFUSE_BELOW
-    # faces that are no cells, and all is explained
-    ell = _told(find(observed(split_groups(ink_of(prism(L_SHAPE, L_SHAPE + DEPTH)))[0])))
-    monkeypatch.setattr(search, "is_crosswise", lambda *_: True)
-    assert not _told(ell).is_none
     monkeypatch.setattr(search, "_leaves_nothing", lambda _: False)
-    assert _told(ell).is_none
+    _told(box)
+    assert [a[2] for a in asked] == [True, False]
+    assert asked[0][0] is box.rings
+    assert asked[0][1] == box.energy.noise
 
 
 def test_what_is_none_stays_none_without_a_rival():
