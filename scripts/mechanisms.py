@@ -9,6 +9,7 @@ import numpy as np
 
 from sketch2shape.fit import refinement
 from sketch2shape.search import tolerances
+from sketch2shape.search.objects import PLAINLY
 from sketch2shape.sweeps import Way
 
 HUGE = 1e9
@@ -190,7 +191,7 @@ MECHANISMS = (
     Mechanism("sweeps: small holes", _in("search.sweep_improvement", small_holes=_NONE)),
     Mechanism("sweeps: vertices at the ends of rungs", _in("search.sweep_improvement", _at_rungs=_first)),
     Mechanism("sweeps: put together from rungs", _in("search.sweeping", joined=_NONE)),
-    Mechanism("shifts told by rungs", _in("search.sweep_pairs", wire_shifts=_always([]))),
+    Mechanism("shifts told by rungs", _in("search.scene", wire_shifts=_always([]))),
     Mechanism(
         "sweeps compared under one hand",
         _in("search.found_sweep", cheapest=_least_nats)
@@ -198,9 +199,9 @@ MECHANISMS = (
         | _in("search.sweeping", cheapest=_least_nats),
     ),
     Mechanism("sweeps: pyramids", _in("search.sweeping", _likely_pyramids=_always([]))),
-    Mechanism("sweeps: ellipses", _in("search.sweep_pairs", ellipses=_always([]))),
+    Mechanism("sweeps: ellipses", _in("search.scene", ellipses=_always([]))),
     Mechanism("pieces of bowed lines put together", _in("sweeps.loops", linked=_always([]))),
-    Mechanism("sweeps: enclosed loops", _in("search.sweep_pairs", enclosed_loops=_always([]))),
+    Mechanism("sweeps: enclosed loops", _in("search.scene", enclosed_loops=_always([]))),
     Mechanism("close loops replace rough ones", _in("search.sweep_pairs", WHOLE=np.inf)),
     Mechanism("ways settled before they are cut", _in("search.sweep_pairs", settled=_first)),
     Mechanism("shifts settled on wires", _in("search.sweep_pairs", settled_wire=_as_guessed)),
@@ -216,6 +217,12 @@ MECHANISMS = (
     Mechanism("depth has to be seen", _in("search.sweeping", _shows_depth=_always(True))),
     Mechanism("hidden lines told as dashed", _in("search.sweeping", _dashed=_first)),
     Mechanism("shifts that grow in perspective", _in("search.sweep_improvement", _in_perspective=_first)),
+    Mechanism("sweeps: round faces in perspective", _in("search.sweeping", _likely_rounds=_always([]))),
+    Mechanism("arcs that lean in perspective", _in("search.sweep_pairs", _frame_along=_always(None))),
+    Mechanism("rims of holes looked for afar", _in("search.sweep_improvement", _from_afar=_first)),
+    Mechanism("centres of ways that leave lines", _in("search.sweep_improvement", _leaves_some=_NO)),
+    Mechanism("all cuts of likely outlines", _in("search.sweeping", MISSED=np.inf)),
+    Mechanism("flat arcs where the answer is doubtful", _in("search.objects", PERHAPS=PLAINLY)),
     Mechanism("holes of sweeps", _in("search.sweep_improvement", with_holes=_first)),
     Mechanism("closed lines in faces are likely holes", _in("evidence.energy", LIKELY_HOLE=0.0)),
     Mechanism("needless vertices of sweeps dropped", _in("search.sweep_improvement", _simpler=_first)),

@@ -20,8 +20,8 @@ from sketch2shape.model import Floats
 from sketch2shape.search.found import Found
 from sketch2shape.search.found_sweep import FoundSweep, priced
 from sketch2shape.search.observed import Observed
+from sketch2shape.search.scene import Scene
 from sketch2shape.search.sweep_improvement import finished, with_holes
-from sketch2shape.search.sweep_pairs import Scene
 from sketch2shape.strokes import Skeleton
 from sketch2shape.sweeps import LEAST_COHERENT, Frame, Outline, Sweep, Way, coherent_loops
 

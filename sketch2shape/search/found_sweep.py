@@ -18,7 +18,8 @@ from sketch2shape.evidence import (
 )
 from sketch2shape.fit import polished
 from sketch2shape.model import Floats
-from sketch2shape.search.sweep_pairs import Scene, is_flat
+from sketch2shape.search.scene import Scene
+from sketch2shape.search.sweep_pairs import is_flat
 from sketch2shape.sweeps import Outline, Sweep
 
 NOISE_OF_MEDIAN = 1.5

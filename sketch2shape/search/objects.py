@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import cv2
 import numpy as np
@@ -33,14 +33,13 @@ LEAST_COMPANION = 0.3
 """A second object has at least this part of the first one's size; smaller things are letters."""
 BOWED, SOME_BOWED = 0.08, 0.02
 """Part of the ink on bowed lines from which on arcs are looked for first, and from which on at all."""
-STRAY, SHORT, SHORT_PENS = 1.0, 5.0, 3.0
-"""Pixels by which chords may stray from a line; pixels and pens of length below which they say nothing, as a pen
-rounds corners."""
+STRAY, SHORT = 1.0, 5.0
+"""Pixels by which chords may stray from a line, and of length below which they say nothing."""
 OBTUSE = 16.0
 """Angle of a bend, radians, times length of the shorter chord beside it, over what chords may stray, from which it is a
 corner: chords of an arc turn by eight over their length, and hands are twice as careless."""
-LEAST_BENDS, SHARP, LEAST_TURN = 2, 0.65, 0.6
-"""Bends of an arc at least, angle of one from which it is a corner, and by which it turns to one side, radians."""
+LEAST_BENDS, SHARP = 2, 0.65
+"""Bends of an arc at least, and angle of one from which it is a corner, radians."""
 
 LEFT = 10.0
 """Nats of foreign ink from which on a straight object may have a round hole."""
@@ -56,6 +55,21 @@ POSSIBLE = 0.3
 of CAD programs and pictures of other things, both halves seen."""
 LIKELY = 0.7
 """Confidence from which on an answer with arcs that explains all ink stands, and no straight one is looked for."""
+
+
+class Bow(NamedTuple):
+    """When a line bows.
+
+    pens : length of chords below which they say nothing, as a pen rounds corners
+    turn : by which it turns to one side at least, radians
+    """
+
+    pens: float
+    turn: float
+
+
+PLAINLY, PERHAPS = Bow(3.0, 0.6), Bow(2.0, 0.4)
+"""As no hand's straight line does; and as those of flat arcs, and of some hands, do."""
 
 AnyFound: TypeAlias = Verified | FoundSweep
 """An answer for a group of ink, in its working pixels or those of the sheet."""
@@ -122,14 +136,16 @@ def find_one(group: Group) -> AnyFound | None:
     if drilled is not None and drilled.confidence >= LIKELY and drilled.unexplained <= SLIGHT:
         return drilled
     if bowed < BOWED:
-        swept = _find_other(seen, straight, some_bowed=bowed >= SOME_BOWED)
+        swept = _find_other(seen, straight)
     return _better(straight, min((s for s in (drilled, swept) if s is not None), key=lambda s: s.nats, default=None))
 
 
-def _find_other(seen: Observed, straight: Found | None, *, some_bowed: bool) -> FoundSweep | None:
+def _find_other(seen: Observed, straight: Found | None) -> FoundSweep | None:
     """The best answer with arcs, holes or an apex, where few lines bow and what the straight one leaves tells it."""
     below = np.inf if straight is None or straight.energy is None else straight.energy.total
-    if straight is None or _is_doubted(straight) or some_bowed:
+    is_doubted = straight is None or _is_doubted(straight)
+    some_bowed = bowed_part(seen.skeleton, seen.view.size, PERHAPS if is_doubted else PLAINLY) >= SOME_BOWED
+    if straight is None or is_doubted or some_bowed:
         return find_sweep(seen, arcs=some_bowed, below=below)
     return find_pyramid(seen, below) if _may_be_pointed(straight) else None
 
@@ -192,14 +208,14 @@ def _is_proper(swept: FoundSweep) -> bool:
     return swept.sweep.has_arcs or swept.sweep.way.is_pointed
 
 
-def bowed_part(skeleton: Skeleton, size: float) -> float:
+def bowed_part(skeleton: Skeleton, size: float, bow: Bow = PLAINLY) -> float:
     """Part of the ink that lies on bowed lines, 0..1."""
-    short = max(SHORT, SHORT_PENS * skeleton.pen_width)
-    bowed = sum(_bowed_length(p, LEAST_PATH * size, short) for p in skeleton.paths)
+    least, short = LEAST_PATH * size, max(SHORT, bow.pens * skeleton.pen_width)
+    bowed = sum(_bowed_length(p, least, short, bow.turn) for p in skeleton.paths)
     return bowed / max(sum(map(len, skeleton.paths)), 1)
 
 
-def _bowed_length(path: NDArray[Any], least: float, short: float) -> float:
+def _bowed_length(path: NDArray[Any], least: float, short: float, least_turn: float) -> float:
     """Length of those parts of a line that turn, and nowhere sharply: an arc's chords have many small turns.
 
     They turn to one side; those of a hand that trembles turn to either.
@@ -216,9 +232,9 @@ def _bowed_length(path: NDArray[Any], least: float, short: float) -> float:
     turn[chord < short] = 0.0  # the ends of a line are bent where it meets others
     corners = (np.abs(turn) >= SHARP) | (np.abs(turn) * chord > OBTUSE * STRAY)
     parts = np.split(np.arange(len(span)), np.flatnonzero(corners) + 1)
-    return float(sum(long[part].sum() for part in parts if _is_bowed(turn[part[:-1]], float(long[part].sum()), least)))
+    return sum(float(long[p].sum()) for p in parts if _is_bowed(turn[p[:-1]], long[p], least, least_turn))
 
 
-def _is_bowed(turn: Floats, long: float, least: float) -> bool:
+def _is_bowed(turn: Floats, long: Floats, least: float, least_turn: float) -> bool:
     heading = np.append(0.0, np.cumsum(turn))
-    return bool(long >= least and np.count_nonzero(turn) >= LEAST_BENDS and np.ptp(heading) > LEAST_TURN)
+    return bool(long.sum() >= least and np.count_nonzero(turn) >= LEAST_BENDS and np.ptp(heading) > least_turn)

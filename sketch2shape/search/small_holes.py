@@ -14,7 +14,8 @@ import numpy as np
 from sketch2shape.evidence import near_line
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep
-from sketch2shape.search.sweep_pairs import SHALLOW_PENS, Scene
+from sketch2shape.search.scene import Scene
+from sketch2shape.search.sweep_pairs import SHALLOW_PENS
 from sketch2shape.sweeps import Circle, Outline
 
 

@@ -9,12 +9,14 @@ from itertools import chain
 import cv2
 import numpy as np
 
+from sketch2shape.fit import polished
 from sketch2shape.geometry import cross
 from sketch2shape.model import Floats
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, moved, priced
+from sketch2shape.search.scene import ALIKE, Scene, are_close
 from sketch2shape.search.small_holes import small_holes
-from sketch2shape.search.sweep_pairs import ALIKE, WITHIN, Scene, are_close, evenly
-from sketch2shape.sweeps import Outline, Sweep, coherent_loops, cut_ring, in_one_frame, rounded, rung_ends
+from sketch2shape.search.sweep_pairs import WITHIN, evenly
+from sketch2shape.sweeps import Outline, Sweep, Way, coherent_loops, cut_ring, in_one_frame, rounded, rung_ends
 
 HOPEFUL, HOPEFUL_NOTCH = 12.0, 60.0
 """Nats that may be gained where a simpler object is moved to the ink, and one without a notch, whose ends lie apart."""
@@ -28,6 +30,13 @@ SHORT, MOST_OF_A_NOTCH = 0.06, 3
 """Length over the drawing's size of edges that may be a notch, and how many there are at most."""
 NEAR_RUNG = 3.0
 """How far a vertex may lie from the end of the line between the faces that shows it, over the reach of a line's ink."""
+AFAR, LEFT_OVER = 20.0, 10.0
+"""Distance of a centre, over the way to the back face, from where it is looked for, and nats of lines that are missing
+or left from which on it is."""
+LEANING = 0.02
+"""Sine of the angle between the frames of two cuts from which on they are two."""
+FAR_OFF = 2.0
+"""How far off the ink of a hole's rims may lie in perspective, over the reach of a line's ink."""
 FLAT = 0.12
 """Bulge of an arc up to which it may be a bent line."""
 BEND = 0.5
@@ -36,8 +45,17 @@ BEND = 0.5
 
 def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
-    found = cheapest([moved(f, scene) for f in (found, *(priced(scene, s) for s in others))])
-    found = _at_rungs(found, scene)
+    tried = [moved(found, scene)]
+    for sweep in others:
+        other = moved(priced(scene, sweep), scene)
+        if abs(cross(sweep.frame.along, found.sweep.frame.along)) > LEANING:
+            if not _leaves_some(cheapest(tried)):
+                break
+            other = _in_perspective(other, scene)
+        tried.append(other)
+    found = _at_rungs(cheapest(tried), scene)
+    if found.sweep.way.centre is not None:
+        found = _in_perspective(found, scene)
     if found.unexplained > MUCH and sum(len(ring.vertices) for ring in found.sweep.rings) > MANY:
         return found  # hatching, a scribble: so many vertices that explain so little are none
     return finished(with_holes(found, scene, [*small_holes(found, scene), *_closed_lines(found.sweep, scene)]), scene)
@@ -90,14 +108,21 @@ def _settled(found: FoundSweep, scene: Scene) -> FoundSweep:
 
 
 def _in_perspective(found: FoundSweep, scene: Scene) -> FoundSweep:
-    """With a shift that grows over the face, if that explains more than it costs."""
+    """With a way that grows over the face, to a centre too where lines are left, if that tells the drawing better."""
     way = found.sweep.way
-    if way.centre is not None:
+    if way.is_pointed or way.slope is not None:
         return found
-    sloped = replace(way, slope=np.zeros(2), origin=found.sweep.rings[0].middle)
-    begun = replace(found, sweep=replace(found.sweep, way=sloped))
-    grown = moved(begun, scene)
-    return found if grown is begun else grown
+    begun = [_sloped(found.sweep)]
+    if way.centre is None and _leaves_some(found):
+        middle = found.sweep.rings[0].middle
+        afar = Way(np.zeros(2), middle + AFAR * way.shift, 1.0 - 1.0 / AFAR)
+        begun.append(polished(_sloped(replace(found.sweep, way=afar)), scene.tree, FAR_OFF * scene.reach))
+    return cheapest((found, *(priced(scene, polished(s, scene.tree, scene.reach)) for s in begun)))
+
+
+def _leaves_some(found: FoundSweep) -> bool:
+    """Whether lines are missing or left."""
+    return found.energy.missing + found.energy.foreign > LEFT_OVER
 
 
 def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within: float = WITHIN) -> FoundSweep:
@@ -113,7 +138,22 @@ def with_holes(found: FoundSweep, scene: Scene, loops: Iterable[Floats], within:
             holed = priced(scene, replace(begun, rings=in_one_frame((*begun.rings, hole))))
             if holed.nats < found.nats + HOPEFUL:
                 found = cheapest((found, moved(holed, scene)))
+            elif hole.circle is not None and begun.way.centre is not None:
+                found = cheapest((found, _from_afar(holed, scene)))
     return found
+
+
+def _from_afar(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """In perspective, and moved to ink farther off: the rims of a hole tell what half of an outer rim does not."""
+    begun = _sloped(found.sweep)
+    return moved(priced(scene, polished(begun, scene.tree, FAR_OFF * scene.reach)), scene)
+
+
+def _sloped(sweep: Sweep) -> Sweep:
+    """With a way that may grow over the face."""
+    if sweep.way.slope is not None:
+        return sweep
+    return replace(sweep, way=replace(sweep.way, slope=np.zeros(2), origin=sweep.rings[0].middle))
 
 
 def _cut_holes(loop: Floats, sweep: Sweep, pen: float) -> Iterator[Outline]:

@@ -1,51 +1,35 @@
-"""Pairs: outlines and ways to the back face that a glance at a drawing supports, and how their outlines are cut.
-
-A scene holds what of a drawing this search looks at: strokes, closed lines, ellipses, where long lines meet.
-"""
+"""Pairs: outlines and ways to the back face that a glance at a drawing supports, and how their outlines are cut."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from sketch2shape.evidence import View
-from sketch2shape.ink import Group
 from sketch2shape.model import Floats
-from sketch2shape.search.tolerances import LEAST_TRACE, PEN_TRACE
-from sketch2shape.strokes import Skeleton, Strokes, trace_skeleton
+from sketch2shape.search.scene import ALIKE, Scene
 from sketch2shape.sweeps import (
     Cells,
+    Frame,
     Loop,
     Sweep,
     Way,
-    centres,
     coherent_loops,
     cut_ring,
-    directions,
-    distinct_directions,
-    ellipses,
-    enclosed_loops,
+    ellipse_through,
     eroded_outline,
     in_one_frame,
-    joints,
-    pyramids,
     retraced,
     settled,
     settled_wire,
-    shifts,
     ways_along,
     ways_towards,
-    wire_shifts,
 )
 
 if TYPE_CHECKING:
-    from scipy.spatial import cKDTree
+    pass
 
 MOST_OUTLINES = 14
 """Outlines that are probed."""
@@ -57,133 +41,24 @@ MOSTLY = 0.6
 """The same of wireframes that are asked for alone: lines that crossings draw aside are not counted as explained."""
 MOST_HINTS = 2
 """Holes whose ellipses tell the shape of an outline's arcs, the largest."""
-LEAST_REACH, REACH = 4.0, 0.012
-"""Pixels, and fraction of the drawing's size, from a line from which ink is that of another."""
 WIDELY, CLOSELY = (4.0, 0.5), (2.0, 0.3)
 """Pixels, and pens, within which moved ink lies on ink: by a shift roughly known, and by one well known."""
 WHOLE = 0.9
 """Part of an outline's area from which on a line told more closely is still that outline."""
+ALONG = 0.2
+"""Part of an ellipse along an outline from which on its arc may be one of the outline."""
 WITHIN = 2.0
 """Pixels by which a hole lies inside an outline at least."""
 MOST_PRICED = 10
 """Pairs of a batch, those that explain most at a glance."""
 WORSE = 0.2
 """Part of the ink that a pair may explain less than the best of its batch."""
-ALIKE = 0.02
-"""Fraction of the drawing's size within which two outlines, or their images, are one."""
 SHALLOW_PENS, SHALLOW = 2.0, 0.015
 """Pens, and fraction of the drawing's size, below which there is no depth: two lines side by side are one pen apart."""
 BARELY = 0.06
 """Fraction of the drawing's size by which a point lies outside its round base at least."""
 LEAST_SCALE = 0.12
 """Scale of a smaller face, below which it is a point."""
-COARSE = 0.01
-"""Fraction of the drawing's size by which a hand's straight line may stray."""
-
-
-@dataclass(frozen=True, eq=False)
-class Scene:
-    """A drawing as this search sees it.
-
-    group    : the ink
-    skeleton : of it, gaps at corners bridged
-    view     : what hypotheses are held against
-    """
-
-    group: Group
-    skeleton: Skeleton
-    view: View
-
-    @property
-    def size(self) -> float:
-        """Diagonal of the ink, pixels."""
-        return self.view.size
-
-    @cached_property
-    def margin(self) -> float:
-        """Pixels within which a line may lie on the border of sight."""
-        return max(3.0, 0.008 * self.size)
-
-    @property
-    def reach(self) -> float:
-        """Pixels from a line within which ink may be its own."""
-        return max(LEAST_REACH, REACH * self.size)
-
-    @cached_property
-    def solid(self) -> NDArray[np.float32] | None:
-        """(h, w) pixels to the nearest solid line, where there are dashes."""
-        if np.count_nonzero(self.group.solid) == np.count_nonzero(self.group.ink.mask):
-            return None
-        lines = self.skeleton.mask.astype(bool) & self.group.solid
-        return np.asarray(cv2.distanceTransform((~lines).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5), np.float32)
-
-    @cached_property
-    def tree(self) -> cKDTree:
-        """Of the skeleton's pixels."""
-        from scipy.spatial import cKDTree  # slow to load, and not needed for straight drawings
-
-        return cKDTree(self.skeleton.points)
-
-    @cached_property
-    def strokes(self) -> list[Strokes]:
-        """Straight strokes, finely and coarsely traced."""
-        fine = max(LEAST_TRACE, PEN_TRACE * self.skeleton.pen_width)
-        coarse = max(COARSE * self.size, 1.5 * fine)
-        return [trace_skeleton(self.skeleton, t, self.group.solid) for t in (fine, coarse)]
-
-    @cached_property
-    def every_stroke(self) -> list[Strokes]:
-        """Those of dashes too."""
-        return [trace_skeleton(self.skeleton, s.tolerance) for s in self.strokes]
-
-    @cached_property
-    def meeting(self) -> Floats:
-        """(c, 2) float, pixels, where long strokes meet."""
-        return np.concatenate([centres(s, self.size) for s in self.strokes])
-
-    @cached_property
-    def along(self) -> Floats:
-        """(d, 2) directions of long strokes."""
-        return distinct_directions(np.concatenate([directions(s, self.size) for s in self.strokes]))
-
-    @cached_property
-    def ellipses(self) -> list[Loop]:
-        """Ellipses that bowed lines lie on."""
-        return [Loop(line) for line in ellipses(self.skeleton, self.size)]
-
-    @cached_property
-    def loops(self) -> list[Loop]:
-        """Closed lines: ellipses, and what solid lines enclose."""
-        enclosed = enclosed_loops(self.group.solid, self.skeleton.pen_width)
-        near = ALIKE * self.size
-        # what other lines cross is enclosed in pieces, and roughly: an ellipse is the better line
-        others = [e for e in enclosed if not any(_runs_along(loop.line, e, near) for loop in self.ellipses)]
-        return [*self.ellipses, *map(Loop, others)]
-
-    @cached_property
-    def joints(self) -> Floats:
-        """(k, 2) float, pixels, where lines meet or end."""
-        return joints(self.skeleton)
-
-    @cached_property
-    def wire_shifts(self) -> list[Floats]:
-        """Shifts (2,) to the back face that nearly all ink of a wireframe tells."""
-        return wire_shifts(self.skeleton, self.joints, self.shifts, self.size)
-
-    @cached_property
-    def shifts(self) -> Floats:
-        """(k, 2) by which much of the ink comes to lie on ink."""
-        return shifts(self.skeleton, self.size)
-
-    @cached_property
-    def cells(self) -> Cells:
-        """The drawing at a glance."""
-        return Cells.of(self.skeleton, self.size, self.group.solid)
-
-    @property
-    def pyramids(self) -> Iterator[Sweep]:
-        """Those that corners of the drawing may show."""
-        return pyramids(self.every_stroke, self.meeting, self.skeleton, self.size)
 
 
 class Pair(NamedTuple):
@@ -320,12 +195,12 @@ def _moved_to_ink(shift: Floats, within: tuple[float, float], scene: Scene) -> l
 
 def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
     """The sweeps that a pair may mean: its outline cut into lines and arcs."""
-    way = pair.way
-    if not way.is_pointed and not pair.is_whole:
-        way = settled(way, pair.loop, scene.skeleton, scene.size)
-    line = pair.loop.line
-    if is_flat(way, line, scene):
+    if not pair.way.is_pointed and not pair.is_whole:
+        pair = pair._replace(way=settled(pair.way, pair.loop, scene.skeleton, scene.size))
+    if is_flat(pair.way, pair.loop.line, scene):
         return
+    pair = _larger_first(pair, scene)
+    way, line = pair.way, pair.loop.line
     axis = way.shift if way.centre is None else way.centre - line.mean(axis=0)
     axis = axis / (np.hypot(*axis) + 1e-9)
     pen = scene.skeleton.pen_width
@@ -334,17 +209,33 @@ def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
         ring, *inner = [retraced(r, way, scene.skeleton) for r in (ring, *inner)]
     holes = [next(cut_ring(r, axis, pen)).outline for r in inner]
     hints = tuple(hole.frame.ratio for hole in holes if hole.circle is not None)[:MOST_HINTS]
-    for made in cut_ring(ring, axis, pen, hints):
-        yield _larger_first(Sweep(in_one_frame((made.outline, *holes)), way, pair.is_near))
+    frames = [(axis, hints)]
+    if (leaning := _frame_along(line, scene)) is not None:
+        frames.append((leaning.along, (leaning.ratio,)))
+    for along, ratios in frames:
+        for made in cut_ring(ring, along, pen, ratios):
+            yield Sweep(in_one_frame((made.outline, *holes)), way, pair.is_near)
 
 
-def _larger_first(sweep: Sweep) -> Sweep:
-    """The sweep with the larger face as its front, as a base is."""
-    centre, scale = sweep.way.centre, sweep.way.scale
-    if centre is None or scale <= 1.0:
-        return sweep
-    rings = tuple(ring.moved(centre, scale) for ring in sweep.rings)
-    return Sweep(rings, Way(sweep.way.shift, centre, 1.0 / scale), not sweep.is_near)
+def _frame_along(line: Floats, scene: Scene) -> Frame | None:
+    """The frame of the ellipse that a closed line (k, 2), pixels, follows the most of: in perspective it leans."""
+    near, best, most = ALIKE * scene.size, None, ALONG
+    for loop in scene.ellipses:
+        apart = np.hypot(*(loop.probes[:, None] - line).transpose(2, 0, 1)).min(axis=1)
+        along = float((apart < near).mean())
+        if most < along < WHOLE:
+            best, most = loop, along
+    return None if best is None else ellipse_through(best.line).frame
+
+
+def _larger_first(pair: Pair, scene: Scene) -> Pair:
+    """The pair with the larger face as its front, as a base is: what is small of the other is seen on it."""
+    way, loop = pair.way, pair.loop
+    if way.centre is None or way.scale <= 1.0:
+        return pair
+    image = evenly(loop.line + way.of(loop.line))
+    on_ink = retraced(image, Way(np.zeros(2)), scene.skeleton)
+    return Pair(Loop(on_ink), Way(way.shift, way.centre, 1.0 / way.scale), not pair.is_near)
 
 
 def evenly(loop: Floats) -> Floats:
@@ -368,17 +259,3 @@ def is_flat(way: Way, line: Floats, scene: Scene) -> bool:
     return float(np.median(np.hypot(*way.of(line).T))) < max(
         SHALLOW_PENS * scene.skeleton.pen_width, SHALLOW * scene.size
     )
-
-
-def _runs_along(p: Floats, q: Floats, near: float) -> bool:
-    """Whether a closed line (k, 2) is another all around, to so many pixels."""
-    if not are_close(p, q, near):
-        return False
-    apart = np.hypot(p[:, 0, None] - q[:, 0], p[:, 1, None] - q[:, 1])
-    return bool(apart.min(axis=1).max() < near)
-
-
-def are_close(p: Floats, q: Floats, near: float) -> bool:
-    """Whether two closed lines have one bounding box, to so many pixels."""
-    boxes = np.abs(np.concatenate([p.min(axis=0) - q.min(axis=0), p.max(axis=0) - q.max(axis=0)]))
-    return bool(boxes.max() < near)

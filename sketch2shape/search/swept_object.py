@@ -76,7 +76,7 @@ def _arcs_of(sweep: Sweep, ring: Outline, number: int, ink: Ink) -> Iterator[Dra
     hole = None if number == 0 else number - 1
     faces: list[tuple[Literal["f1", "f2"], Outline]] = [("f1", ring)]
     if not sweep.way.is_pointed:
-        faces.append(("f2", _image(sweep, ring)))
+        faces.append(("f2", sweep.image(ring)))
     for face, outline in faces:
         n, line = len(outline.vertices), outline.line
         for i, ellipse in outline.ellipses():
@@ -85,9 +85,3 @@ def _arcs_of(sweep: Sweep, ring: Outline, number: int, ink: Ink) -> Iterator[Dra
             centre, axes, angle = ellipse
             told = Ellipse(ink.to_picture(centre), (axes[0] / ink.scale, axes[1] / ink.scale), angle)
             yield DrawnArc(face, hole, start, end, told, ink.to_picture(own))
-
-
-def _image(sweep: Sweep, ring: Outline) -> Outline:
-    """The ring on the back face."""
-    way = sweep.way
-    return ring.carried(way.of) if way.centre is None else ring.moved(way.centre, way.scale)

@@ -6,15 +6,17 @@ from sketch2shape.sweeps.cells import Cells
 from sketch2shape.sweeps.eroded import eroded_outline
 from sketch2shape.sweeps.joined import joined
 from sketch2shape.sweeps.loops import LEAST_COHERENT, LEAST_PATH, Loop, coherent_loops, ellipses, enclosed_loops
-from sketch2shape.sweeps.outlines import Circle, Frame, Outline, in_one_frame
+from sketch2shape.sweeps.outlines import Circle, Frame, Outline, ellipse_through, in_one_frame
 from sketch2shape.sweeps.pieces import cut_ring, rounded
 from sketch2shape.sweeps.pyramids import pyramids
 from sketch2shape.sweeps.retracing import retraced
+from sketch2shape.sweeps.round_pairs import round_pairs
 from sketch2shape.sweeps.rungs import joints, rung_ends, wire_shifts
-from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices
+from sketch2shape.sweeps.sweep import Redrawn, Sweep, Way, redraw, seen_vertices, turning_points
 from sketch2shape.sweeps.ways import (
     centres,
     directions,
+    distinct_centres,
     distinct_directions,
     settled,
     settled_wire,
@@ -38,7 +40,9 @@ __all__ = [
     "coherent_loops",
     "cut_ring",
     "directions",
+    "distinct_centres",
     "distinct_directions",
+    "ellipse_through",
     "ellipses",
     "enclosed_loops",
     "eroded_outline",
@@ -48,12 +52,14 @@ __all__ = [
     "pyramids",
     "redraw",
     "retraced",
+    "round_pairs",
     "rounded",
     "rung_ends",
     "seen_vertices",
     "settled",
     "settled_wire",
     "shifts",
+    "turning_points",
     "ways_along",
     "ways_towards",
     "wire_shifts",

@@ -130,7 +130,7 @@ def _widened(cells: Bools) -> Bools:
 
 def _sides(loop: Loop, way: Way) -> Ints:
     """Where lines run from an outline to its image: its corners, and its ends across the way."""
-    if way.is_pointed and way.centre is not None:
+    if way.centre is not None and (way.is_pointed or way.slope is not None):
         # the tangents from the point
         seen = np.unwrap(np.arctan2(*(loop.line - way.centre).T[::-1]))
         return np.unique([int(seen.argmin()), int(seen.argmax())])

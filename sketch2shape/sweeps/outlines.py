@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 
 from sketch2shape.geometry import cross
@@ -158,9 +159,16 @@ class Outline:
         return Outline(self.frame, vertices, self.bulges, self.smooth, circle)
 
     def carried(self, by: Callable[[Floats], Floats]) -> Outline:
-        """The same with its vertices moved each by its own way (k, 2), a circle by that of its middle."""
-        moved = self.shifted(by(self.middle[None])[0])
-        return replace(moved, vertices=self.vertices + by(self.vertices))
+        """The same with all points moved each by its own way (k, 2): in perspective too an ellipse becomes one."""
+        if self.circle is not None:
+            return ellipse_through(self.line + by(self.line))
+        vertices, n = self.vertices + by(self.vertices), len(self.vertices)
+        bulges = self.bulges.copy()
+        curved = np.flatnonzero(self.curved)
+        tops = self.line[curved * STEPS + STEPS // 2]
+        a, b, top = (self.frame.flat(p) for p in (vertices[curved], vertices[(curved + 1) % n], tops + by(tops)))
+        bulges[curved] = np.sign(bulges[curved]) * _bulges_over(a, b, top)
+        return replace(self, vertices=vertices, bulges=bulges)
 
     def shifted(self, by: Floats) -> Outline:
         """The same moved in the picture."""
@@ -177,6 +185,26 @@ def in_one_frame(rings: Sequence[Outline]) -> tuple[Outline, ...]:
         return tuple(rings)
     frame = max(curved, key=lambda ring: float(np.hypot(*np.ptp(ring.line, axis=0)))).frame
     return tuple(ring.within(frame) for ring in rings)
+
+
+def ellipse_through(points: Floats) -> Outline:
+    """The whole ellipse that points (k, 2), pixels, lie on (A. Fitzgibbon and others, TPAMI 1999)."""
+    (x, y), (a, b), angle = cv2.fitEllipseDirect(points.astype(np.float32))
+    turned = np.radians(angle + (0.0 if a < b else 90.0))
+    frame = Frame(np.array([np.cos(turned), np.sin(turned)]), min(a, b) / max(a, b))
+    none = np.zeros(0)
+    circle = Circle(frame.flat(np.array([x, y])), 0.5 * max(a, b))
+    return Outline(frame, np.zeros((0, 2)), none, none.astype(np.bool_), circle)
+
+
+def _bulges_over(a: Floats, b: Floats, top: Floats) -> Floats:
+    """(n,) sizes of the bulges of arcs from a to b through a point near their middle, (n, 2) each.
+
+    An angle at the rim is half of that at the centre.
+    """
+    u, v = a - top, b - top
+    inner = np.abs(np.arctan2(cross(u, v), (u * v).sum(axis=1)))
+    return np.asarray(np.tan(0.5 * (np.pi - inner)))
 
 
 def polygon(vertices: Floats) -> Outline:

@@ -15,10 +15,12 @@ import numpy as np
 from sketch2shape.geometry import cross
 from sketch2shape.model import Bools, Floats, Ints
 from sketch2shape.sweeps.insides import Inside
-from sketch2shape.sweeps.outlines import Frame, Outline
+from sketch2shape.sweeps.outlines import Frame, Outline, in_one_frame
 
 REGULAR = 6
 """Numbers that tell a regular polygon seen askew."""
+NEAREST = -0.9
+"""Part that a point comes nearer to its image, over the rest of the way, at least: none comes from behind the eye."""
 RAY = 48
 """Places at which a ray is looked at."""
 FARTHEST = 8.0
@@ -32,8 +34,12 @@ class Way:
     shift  : (2,) float, pixels, where all points move alike
     centre : (2,) float, pixels, towards which they are drawn together, or None
     scale  : of the back face over the front; 0 for a point
-    slope  : (2,) float, part per pixel by which a shift grows over the face, as in perspective; None in parallel views
-    origin : (2,) float, pixels, where the shift is as it says
+    slope  : (2,) float, part per pixel by which the way grows over the face, as in perspective; None in parallel views
+             and where the picture is parallel to the face
+    origin : (2,) float, pixels, where shift and scale are as they say
+
+    In perspective it is a plane homology: a point goes towards the centre, or along the shift, by a ratio that is
+    linear in its place (R. Hartley and A. Zisserman, "Multiple View Geometry", 2003, appendix 7.2).
     """
 
     shift: Floats
@@ -44,11 +50,15 @@ class Way:
 
     def of(self, points: Floats) -> Floats:
         """(k, 2) float, pixels, from each point to its image on the back face."""
-        if self.centre is not None:
-            return (1.0 - self.scale) * (self.centre - points)
         if self.slope is None or self.origin is None:
+            if self.centre is not None:
+                return (1.0 - self.scale) * (self.centre - points)
             return np.broadcast_to(self.shift, points.shape)
-        return np.asarray((1.0 + (points - self.origin) @ self.slope)[..., None] * self.shift)
+        grown = (1.0 + (points - self.origin) @ self.slope)[..., None]
+        if self.centre is None:
+            return np.asarray(grown * self.shift)
+        nearer = np.maximum(grown * (1.0 - self.scale) / self.scale, NEAREST)
+        return np.asarray(nearer / (1.0 + nearer) * (self.centre - points))
 
     def moved(self, by: Floats) -> Way:
         """The same elsewhere in the picture."""
@@ -56,8 +66,9 @@ class Way:
         return replace(self, centre=centre, origin=origin)
 
     def back(self) -> Way:
-        """From the back face to the front, for faces of one size; in perspective to first order of the slope."""
-        return replace(self.moved(self.shift), shift=-self.shift)
+        """From the back face to the front, for ways without a centre."""
+        slope = None if self.slope is None else self.slope / (1.0 + float(self.slope @ self.shift))
+        return replace(self.moved(self.shift), shift=-self.shift, slope=slope)
 
     @property
     def is_pointed(self) -> bool:
@@ -67,9 +78,8 @@ class Way:
     @property
     def numbers(self) -> int:
         """How many numbers tell it."""
-        if self.centre is None:
-            return 2 if self.slope is None else 4
-        return 2 if self.is_pointed else 3
+        told = 3 if self.centre is not None and not self.is_pointed else 2
+        return told if self.slope is None else told + 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,8 +128,15 @@ class Sweep:
         return replace(self, rings=tuple(ring.shifted(by) for ring in self.rings), way=self.way.moved(by))
 
     def reversed(self) -> Sweep:
-        """The same with the two faces exchanged. Only for faces of one size."""
-        return replace(self, rings=tuple(ring.carried(self.way.of) for ring in self.rings), way=self.way.back())
+        """The same with the two faces exchanged. Only for ways without a centre."""
+        return replace(self, rings=in_one_frame([self.image(ring) for ring in self.rings]), way=self.way.back())
+
+    def image(self, ring: Outline) -> Outline:
+        """One of its rings on the back face, which is no point."""
+        way = self.way
+        if way.slope is not None:
+            return ring.carried(way.of)
+        return ring.shifted(way.shift) if way.centre is None else ring.moved(way.centre, way.scale)
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,7 +180,7 @@ def redraw(sweep: Sweep, spacing: float, margin: float) -> Redrawn:
         [r.knots[~r.smooth | sweep.tangents] + s for r, s in zip(sweep.rings, starts[:-1], strict=True)]
     )
     silhouettes = np.concatenate(
-        [_turning(r, to[s:e]) + s for r, s, e in zip(sweep.rings, starts[:-1], starts[1:], strict=True)]
+        [turning_points(r, to[s:e]) + s for r, s, e in zip(sweep.rings, starts[:-1], starts[1:], strict=True)]
     )
     pieces = [_rim(sweep, entry, 0.0)]
     if not sweep.way.is_pointed:
@@ -210,8 +227,11 @@ def _doubtful(piece: _Piece) -> _Piece:
     return points, along, length, edge, np.maximum(depth, 1) if (depth == 2).any() else depth
 
 
-def _turning(ring: Outline, to: Floats) -> Ints:
-    """Where the ring turns from one side of the way to the back to the other without a corner: its silhouettes."""
+def turning_points(ring: Outline, to: Floats) -> Ints:
+    """Where the line of a ring turns from one side of its way to the other without a corner: silhouettes start there.
+
+    to : (k, 2) float, pixels, from each point of the line to its image
+    """
     span = np.roll(ring.line, -1, axis=0) - np.roll(ring.line, 1, axis=0)
     side = cross(span, to)
     turns = np.flatnonzero((side > 0) != (np.roll(side, 1) > 0))

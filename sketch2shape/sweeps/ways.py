@@ -25,10 +25,12 @@ if TYPE_CHECKING:
 
 STEPS = 90
 """Steps of a probe across the drawing's size."""
-MOST_DIRECTIONS, MOST_CENTRES = 14, 6
+MOST_DIRECTIONS, MOST_CENTRES = 14, 12
 """Directions, and meeting points, that are probed: those of the longest lines."""
 FARTHEST_CENTRE = 6.0
 """Distance from the lines' ends to where they meet, over the drawing's size, from which on they are parallel."""
+SAME_CENTRE = 0.02
+"""Distance of two centres, over the drawing's size or their distance from it, up to which they are one."""
 ONE_WAY = 0.035
 """Radians up to which two lines have one direction."""
 MOST_FAR, MOST_NEAR = 4, 2
@@ -54,7 +56,7 @@ SETTLING, PARALLEL = 5, 0.06
 """Steps in which a shift is settled, and the part by which it grows over a face in a parallel drawing at most."""
 REFINING = 500
 """Points of ink that settle a shift to a pixel."""
-OUTWARD = 3.0
+OUTWARD = 5.0
 """Largest scale of a back face that is the larger one."""
 
 
@@ -105,6 +107,16 @@ def centres(strokes: Strokes, size: float) -> Floats:
     return np.array(kept).reshape(-1, 2)
 
 
+def distinct_centres(points: Floats, middle: Floats, size: float) -> Floats:
+    """(k, 2) those of some points that no earlier one says: far ones to a part of how far off they are."""
+    kept: list[Floats] = []
+    for c in points:
+        near = SAME_CENTRE * max(float(np.hypot(*(c - middle))), size)
+        if all(np.hypot(*(c - k)) > near for k in kept):
+            kept.append(c)
+    return np.array(kept).reshape(-1, 2)
+
+
 def ways_along(loop: Loop, skeleton: Skeleton, along: Floats, size: float) -> list[Way]:
     """The likeliest ways of an outline to a back face of its own size.
 
@@ -129,7 +141,7 @@ def ways_towards(loop: Loop, skeleton: Skeleton, meeting: Floats, size: float) -
     p, found = loop.probes, []
     for c in meeting:
         nearest = min(_least(skeleton, size) / max(float(np.hypot(*(c - p).T).mean()), 1.0), 0.5)
-        inward, outward = np.linspace(nearest, 0.9, 40), np.linspace(nearest, OUTWARD - 1.0, 60)
+        inward, outward = np.linspace(nearest, 0.9, 40), np.linspace(nearest, OUTWARD - 1.0, 120)
         for parts in (inward, -outward):
             ray = parts[None, :, None] * (c - p)[:, None]
             ((hits, seen),) = _probe(loop, ray[None], skeleton, size)

@@ -9,7 +9,7 @@ from sketches import ink_of
 from sketch2shape.ink import split_groups
 from sketch2shape.search.found_sweep import cheapest, moved, priced
 from sketch2shape.search.observed import observed
-from sketch2shape.search.sweep_pairs import Scene
+from sketch2shape.search.scene import Scene
 
 
 def scene_and_arch():

@@ -139,6 +139,14 @@ def test_a_silhouette_with_obtuse_corners_is_no_arc():
     assert objects.bowed_part(skeleton, 500.0) == 0.0
 
 
+def test_a_flat_arc_perhaps_bows_and_not_plainly():
+    t = np.linspace(0.0, 1.0, 200)
+    path = np.stack([40 + 200 * t, 200 + 14 * np.sin(np.pi * t)], axis=1)
+    skeleton = SimpleNamespace(paths=[np.rint(path).astype(np.int32)], pen_width=4.0)
+    assert objects.bowed_part(skeleton, 500.0) == 0.0
+    assert objects.bowed_part(skeleton, 500.0, objects.PERHAPS) > 0.9
+
+
 @pytest.mark.parametrize(("lines", "foreign", "asked"), [("wire", 20.0, 1), ("removed", 20.0, 0), ("wire", 1.0, 0)])
 def test_a_sure_wireframe_is_searched_for_narrow_holes_where_ink_is_left(monkeypatch, lines, foreign, asked):
     sure, calls = _sure(monkeypatch, lines, foreign), []

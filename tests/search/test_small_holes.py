@@ -11,9 +11,9 @@ from sketches import ink_of
 from sketch2shape.ink import split_groups
 from sketch2shape.search.found_sweep import priced
 from sketch2shape.search.observed import observed
+from sketch2shape.search.scene import Scene
 from sketch2shape.search.small_holes import small_holes
 from sketch2shape.search.sweep_improvement import improved
-from sketch2shape.search.sweep_pairs import Scene
 from sketch2shape.sweeps import Sweep, Way
 
 HOLE = ellipse(205.0, 118.0, 7.0)

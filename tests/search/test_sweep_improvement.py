@@ -10,8 +10,8 @@ from sketches import ink_of
 from sketch2shape.ink import split_groups
 from sketch2shape.search.found_sweep import priced
 from sketch2shape.search.observed import observed
+from sketch2shape.search.scene import Scene
 from sketch2shape.search.sweep_improvement import _at_rungs, _without_notches, finished, with_holes
-from sketch2shape.search.sweep_pairs import Scene
 from sketch2shape.sweeps import Outline, Sweep, Way
 
 WASHER = Sweep((ellipse(), ellipse(radius=40.0)), Way(np.array([0.0, 24.0])))

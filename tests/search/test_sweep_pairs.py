@@ -12,6 +12,7 @@ from sketches import ink_of
 from sketch2shape.ink import split_groups
 from sketch2shape.search import sweep_pairs
 from sketch2shape.search.observed import observed
+from sketch2shape.search.scene import Scene, _runs_along, are_close
 from sketch2shape.search.sweep_pairs import (
     BARELY,
     LEAST_SCALE,
@@ -19,8 +20,6 @@ from sketch2shape.search.sweep_pairs import (
     SHALLOW,
     SHALLOW_PENS,
     Pair,
-    Scene,
-    are_close,
     cut,
     evenly,
     is_flat,
@@ -32,7 +31,7 @@ from sketch2shape.sweeps.outlines import polygon
 
 SIZE = 400.0
 FAR_OFF = np.full((400, 480), 100.0, np.float32)
-PLAIN = SimpleNamespace(size=SIZE, cells=None, skeleton=SimpleNamespace(pen_width=2.0, distance=FAR_OFF))
+PLAIN = SimpleNamespace(size=SIZE, cells=None, ellipses=[], skeleton=SimpleNamespace(pen_width=2.0, distance=FAR_OFF))
 """A scene without ink, of which nothing is asked but the drawing's size and the pen's."""
 RIM = ellipse(y=280.0).line
 """180 pixels wide and 72 high about (240, 280)."""
@@ -147,8 +146,8 @@ def test_an_ellipse_with_the_box_of_another_outline_does_not_stand_for_it():
     circle = 50 * np.stack([np.cos(angle), np.sin(angle)], axis=1) + 100
     square = np.concatenate([np.linspace(a, b, 50) for a, b in pairwise(SQUARE_CORNERS)])
     assert are_close(circle, square, 6.0)
-    assert not sweep_pairs._runs_along(circle, square, 6.0)
-    assert sweep_pairs._runs_along(circle, circle + [3.0, -2.0], 6.0)
+    assert not _runs_along(circle, square, 6.0)
+    assert _runs_along(circle, circle + [3.0, -2.0], 6.0)
 
 
 def point(x, y):

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import cv2
 import numpy as np
 import pytest
-from round_sketches import ARCH, CONE, CYLINDER, FACING, PYRAMID, TUBE, drawn, ellipse, half_disc, plate, slot
+from round_sketches import ARCH, CONE, CYLINDER, FACING, PYRAMID, TUBE, arch, drawn, ellipse, half_disc, plate, slot
 from sketches import DEPTH, ink_of, paper, prism
 
 from sketch2shape.ink import split_groups
@@ -154,6 +154,60 @@ def test_a_shift_grows_over_the_face_in_perspective():
     found = the_sweep(drawn(slot(way), "dashed"))
     assert found.sweep.way.slope == pytest.approx([6e-4, 0], abs=1.5e-4)
     assert found.noise < 1.0
+
+
+def in_perspective(radius=90.0, ratio=0.35, scale=0.8, slope=2.5e-3):
+    """A round face that comes nearer to a centre far below, the lower the more."""
+    ring = ellipse(y=100.0, radius=radius, frame=Frame(np.array([0.0, 1.0]), ratio))
+    return ring, Way(np.zeros(2), np.array([240.0, 900]), scale, np.array([0.0, slope]), np.array([240.0, 100]))
+
+
+@pytest.mark.parametrize("lines", ["wire", "dashed", "removed"])
+def test_a_cylinder_in_perspective_has_an_ellipse_of_its_own_behind(lines):
+    ring, way = in_perspective()
+    obj = the_one(drawn(Sweep((ring,), way), lines))
+    (there,) = (arc.ellipse for arc in obj.arcs if arc.face == "f2")
+    image = Sweep((ring,), way).image(ring)
+    assert there.center == pytest.approx(image.middle, abs=3)
+    assert there.axes[1] / there.axes[0] == pytest.approx(image.frame.ratio, abs=0.04)
+    assert image.frame.ratio > 0.42
+    assert obj.confidence > 0.8
+
+
+def test_a_tumbler_whose_mouth_is_seen_so_flat_that_its_line_hardly_bows():
+    ring, way = in_perspective(ratio=0.1, slope=6e-3)
+    obj = the_one(drawn(Sweep((ring,), way), "removed"))
+    (there,) = (arc.ellipse for arc in obj.arcs if arc.face == "f2")
+    assert there.axes[1] / there.axes[0] == pytest.approx(Sweep((ring,), way).image(ring).frame.ratio, abs=0.06)
+
+
+def test_the_rims_of_a_hole_tell_the_perspective_that_half_a_rim_leaves_open():
+    ring, way = in_perspective(ratio=0.8, scale=0.9, slope=1e-3)
+    inner = ellipse(y=100.0, radius=60.0, frame=ring.frame)
+    obj = the_one(drawn(Sweep((ring, inner), way), "removed"))
+    assert len(obj.holes) == 1
+    assert obj.confidence > 0.9
+
+
+def test_an_arc_in_perspective_leans_away_from_the_way_to_the_back():
+    ring = arch(Frame(np.array([0.94, -0.34]), 0.75))
+    way = Way(np.zeros(2), np.array([900.0, -300]), 0.88, np.array([-6e-4, 3e-4]), ring.middle)
+    obj = the_one(drawn(Sweep((ring,), way), "removed"))
+    assert len(obj.f1) == 4
+    assert len([arc for arc in obj.arcs if arc.face == "f1"]) == 1
+    assert obj.confidence > 0.9
+
+
+def test_the_base_tells_the_roundings_that_are_too_small_to_see_on_top():
+    r, k = 22.0, -np.tan(np.pi / 8)
+    x, y = np.array([90.0, 90 + r, 370 - r, 370]), np.array([270.0, 270 + r, 370 - r, 370])
+    places = [(1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1)]
+    base = Outline(FACING, np.array([[x[i], y[j]] for i, j in places]), k * np.array([0.0, 1] * 4), np.ones(8, bool))
+    tapered = Sweep((base,), Way(np.zeros(2), np.array([230.0, -60]), 0.3), is_near=False)
+    obj = the_one(drawn(tapered, "dashed"))
+    assert len(obj.f1) == 8
+    assert len([arc for arc in obj.arcs if arc.face == "f1"]) == 4
+    assert obj.confidence > 0.8
 
 
 def test_a_box_of_straight_lines_keeps_its_round_hole():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from round_sketches import FACING, UPRIGHT, arch, ellipse, half_disc
 
-from sketch2shape.sweeps.outlines import Frame, in_one_frame, polygon
+from sketch2shape.sweeps.outlines import Frame, ellipse_through, in_one_frame, polygon
 
 
 def test_a_half_circle_bulges_by_one():
@@ -55,3 +55,21 @@ def test_a_ring_is_carried_vertex_by_vertex():
     moved = ring.carried(lambda p: 0.1 * p)
     assert moved.vertices == pytest.approx(1.1 * ring.vertices)
     assert moved.bulges == pytest.approx(ring.bulges)
+
+
+def test_an_arc_is_carried_by_its_top_too():
+    ring = arch()
+    # the half circle on top is drawn out upwards
+    moved = ring.carried(lambda p: np.stack([0.0 * p[:, 0], 0.5 * (p[:, 1] - 180)], axis=1))
+    assert moved.vertices[:2] == pytest.approx(ring.vertices[:2])
+    assert np.abs(moved.bulges) == pytest.approx([1.5, 0, 0, 0], rel=1e-2)
+    assert moved.line[:, 1].min() == pytest.approx(90, abs=0.5)
+
+
+def test_the_ellipse_through_points_has_their_axes():
+    leaning = Frame(np.array([0.6, 0.8]), 0.5)
+    told = ellipse_through(ellipse(radius=80.0, frame=leaning).line)
+    assert abs(float(told.frame.along @ leaning.along)) == pytest.approx(1.0, abs=1e-4)
+    assert told.frame.ratio == pytest.approx(0.5, abs=1e-3)
+    assert told.middle == pytest.approx([240, 120], abs=0.1)
+    assert told.circle.radius == pytest.approx(80, abs=0.1)

@@ -88,3 +88,33 @@ def test_a_shift_in_perspective_grows_from_its_origin_and_returns():
 def test_lines_at_smooth_joints_are_drawn_where_that_is_the_manner():
     plain, told = (redraw(replace(ARCH, tangents=drawn), 3.0, 3.0) for drawn in (False, True))
     assert told.length.sum() - plain.length.sum() == pytest.approx(2 * np.hypot(*ARCH.way.shift), rel=1e-6)
+
+
+def test_a_way_with_a_centre_may_be_seen_in_perspective():
+    way = Way(np.zeros(2), np.array([240.0, -600]), 0.8, np.array([0.0, 1e-3]), np.array([240.0, 120]))
+    near, far = way.of(np.array([[240.0, 120], [240.0, 220]]))
+    assert near == pytest.approx([0.0, -0.2 * 720])
+    # a quarter of the rest, and a tenth more of that
+    assert far == pytest.approx([0.0, -820 * 0.275 / 1.275])
+    assert way.numbers == 5
+    assert way.moved(np.array([7.0, 5])).of(np.array([[247.0, 125]]))[0] == pytest.approx(near)
+    # what would come from behind the eye
+    assert np.isfinite(way.of(np.array([[240.0, -5000]]))).all()
+
+
+def test_a_shift_in_perspective_returns_exactly():
+    way = Way(np.array([40.0, -30]), slope=np.array([2e-3, 1e-3]), origin=np.array([200.0, 200]))
+    points = np.array([[200.0, 200], [200, 300], [90, 20]])
+    there = points + way.of(points)
+    assert there + way.back().of(there) == pytest.approx(points)
+
+
+def test_the_image_in_perspective_of_a_circle_is_the_ellipse_of_its_points():
+    way = Way(np.zeros(2), np.array([240.0, -600]), 0.8, np.array([3e-4, 1e-3]), np.array([240.0, 120]))
+    swept = Sweep((ellipse(),), way)
+    there = swept.rings[0].line + way.of(swept.rings[0].line)
+    image = swept.image(swept.rings[0])
+    assert np.hypot(*(image.line[:, None] - there).transpose(2, 0, 1)).min(axis=1).max() < 3.0
+    x, y = image.frame.flat(there - image.middle).T
+    assert np.hypot(x, y) == pytest.approx(np.full(len(there), image.circle.radius), rel=1e-4)
+    assert image.frame.ratio != pytest.approx(0.4, abs=0.02)

@@ -16,6 +16,7 @@ from sketch2shape.sweeps import (
     Way,
     centres,
     directions,
+    distinct_centres,
     distinct_directions,
     settled,
     settled_wire,
@@ -72,3 +73,10 @@ def test_a_shift_that_grows_over_the_face_is_in_perspective():
     way = settled_from(sweep, ARCH.way.shift)
     assert way.slope == pytest.approx([0.0, 8e-4], abs=3e-4)
     assert np.abs(way.of(sweep.rings[0].vertices) - sweep.way.of(sweep.rings[0].vertices)).max() < 1.5
+
+
+def test_far_centres_are_one_where_they_lie_a_little_farther_apart():
+    near, far = np.array([[50.0, 50], [53, 50], [60, 50]]), np.array([[5000.0, 50], [5080, 50], [5200, 50]])
+    kept = distinct_centres(np.concatenate([near, far]), np.zeros(2), 300.0)
+    assert kept.tolist() == [[50, 50], [60, 50], [5000, 50], [5200, 50]]
+    assert distinct_centres(np.zeros((0, 2)), np.zeros(2), 300.0).shape == (0, 2)
