@@ -10,10 +10,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sketch2shape.lifting.face_relation import relate_faces
 from sketch2shape.model import DrawnArc, Ellipse, Floats, Ints, Side, TwoFaceObject
 
 #: points taken inside an arc, and on a whole ellipse (opposite ones in pairs)
 _INNER, _ROUND = 5, 16
+
+#: part of the drawing's size by which the points of arcs miss those of the other face, moved and scaled, where they
+#: are drawn in perspective, and the part of that by which the lines between both then miss their meeting point at most
+_UNLIKE, _MEETING = 0.004, 0.25
 
 
 @dataclass(frozen=True)
@@ -40,6 +45,7 @@ class Bent:
     spans    : (s, 2) points of arcs whose distances say how large these are
     outline  : points round the outer ring, in order
     middle   : (m,) weights that take the centroid of the outer ring from the points, in any affine view
+    in_perspective : whether the arcs of the back face are no moved and scaled ones of the front face
     """
 
     vertices: int
@@ -48,6 +54,7 @@ class Bent:
     spans: Ints
     outline: Ints
     middle: Floats
+    in_perspective: bool = False
 
     def lengths(self, points: Floats) -> Floats:
         """(e + s,) lengths of the straight edges, then of the spans."""
@@ -64,6 +71,7 @@ def bent_faces(obj: TwoFaceObject) -> tuple[Floats, Floats, Bent]:
     if obj.is_pointed:
         pieces["f2"] = [np.repeat(obj.f2, len(obj.f1), axis=0)]
     count = vertices = sum(len(pair.f1) for pair in obj.rings)
+    leans = not obj.is_pointed and _is_in_perspective(obj)
     arcs: list[BentArc] = []
     spans: list[tuple[int, int]] = []
     first = 0
@@ -72,9 +80,9 @@ def bent_faces(obj: TwoFaceObject) -> tuple[Floats, Floats, Bent]:
         for arc in obj.arcs:
             if arc.face != "f1" or (0 if arc.hole is None else arc.hole + 1) != ring:
                 continue
-            near = _points(arc)
+            near = _in_turn(arc) if leans else _points(arc)
             pieces["f1"].append(near)
-            pieces["f2"].append(_partner(obj, arc, near))
+            pieces["f2"].append(_partner(obj, arc, near, in_turn=leans))
             inner = np.arange(count, count + len(near))
             count += len(near)
             if arc.start is None:
@@ -97,7 +105,7 @@ def bent_faces(obj: TwoFaceObject) -> tuple[Floats, Floats, Bent]:
     outline = _outline(len(obj.f1), arcs)
     middle = _centroid_weights(near, outline)
     pairs = (np.array(p, np.intp).reshape(-1, 2) for p in (ends, spans))
-    return near, far, Bent(vertices, next(pairs), tuple(arcs), next(pairs), outline, middle)
+    return near, far, Bent(vertices, next(pairs), tuple(arcs), next(pairs), outline, middle, leans)
 
 
 def _starts(obj: TwoFaceObject) -> list[tuple[int, int]]:
@@ -126,13 +134,38 @@ def _supports(ellipse: Ellipse) -> Floats:
     return np.asarray(ellipse.center + reach / np.sqrt((reach * out).sum(axis=1, keepdims=True)))
 
 
-def _partner(obj: TwoFaceObject, arc: DrawnArc, near: Floats) -> Floats:
+def _in_turn(arc: DrawnArc) -> Floats:
+    """(k, 2) as many points of an arc, in the order in which both faces have them."""
+    parts = np.arange(_ROUND) / _ROUND if arc.start is None else np.arange(1, _INNER + 1) / (_INNER + 1)
+    last = len(arc.points) - (arc.start is not None)
+    return np.asarray(arc.points[np.rint(parts * last).astype(np.intp)])
+
+
+def _is_in_perspective(obj: TwoFaceObject) -> bool:
+    """Whether the points of arcs lead to those of the other face by lines that meet, and by no shift and scale."""
+    pairs = [(arc, other) for arc in obj.arcs if arc.face == "f1" and (other := _other(obj, arc)) is not None]
+    if not pairs or any(len(arc.points) != len(other.points) for arc, other in pairs):
+        return False
+    rings = [(pair.f1, pair.f2) for pair in obj.rings]
+    near, far = (np.concatenate(p) for p in zip(*rings, *((_in_turn(a), _in_turn(b)) for a, b in pairs), strict=True))
+    relation = relate_faces(near, far)
+    size = float(np.linalg.norm(np.ptp(np.concatenate([near, far]), axis=0)))
+    return relation.homothety_rms > _UNLIKE * size and relation.centre_rms < _MEETING * relation.homothety_rms
+
+
+def _other(obj: TwoFaceObject, arc: DrawnArc) -> DrawnArc | None:
+    """The same arc of the back face."""
+    place = ("f2", arc.hole, arc.start)
+    return next((other for other in obj.arcs if (other.face, other.hole, other.start) == place), None)
+
+
+def _partner(obj: TwoFaceObject, arc: DrawnArc, near: Floats, *, in_turn: bool) -> Floats:
     """The points of the back face that belong to those (k, 2) of an arc of the front face."""
     if obj.is_pointed:
         return np.repeat(obj.f2, len(near), axis=0)
-    for other in obj.arcs:
-        if (other.face, other.hole, other.start) == ("f2", arc.hole, arc.start):
-            return _points(other)
+    other = _other(obj, arc)
+    if other is not None:
+        return _in_turn(other) if in_turn else _points(other)
     pair = obj.rings[0 if arc.hole is None else arc.hole + 1]
     return near + (pair.f2 - pair.f1).mean(axis=0) if len(pair.f1) else near
 

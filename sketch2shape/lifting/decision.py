@@ -155,7 +155,7 @@ def all_readings(given: Drawing, ratio: float | None = None) -> list[Reading]:
         if found and f.hoped < best - _HOPELESS:
             break  # not before anything is found: faces told apart from parallelograms may turn out to be some
         found += _of_parallel(f, ratio, aslant=f.upright and (f.taper == 1.0 or f.odds + f.tapered >= best - _HOPELESS))
-    if given.bent is not None or given.pointed:
+    if given.pointed or (given.bent is not None and not given.bent.in_perspective):
         return sorted(found, key=lambda r: -r.odds)
     parallel = max(of_alike_faces(drawing.relation, drawing.noise).odds for drawing, _ in pairs)
     for drawing, order in pairs:
@@ -369,7 +369,7 @@ def _of_perspective(drawing: Drawing, order: Ints | None, parallel: float) -> It
 
     def make() -> Shape | None:
         shape = perspective_shape(drawing, seen)
-        return shape and replace(shape, order=order, noise=math.sqrt(0.5) * drawing.noise)
+        return shape and replace(shape, order=order, noise=math.sqrt(0.5) * drawing.noise, bent=drawing.bent)
 
     yield Reading("perspective", "perspective", odds, 1.0, make)
 

@@ -20,7 +20,16 @@ import numpy as np
 
 from sketch2shape.lifting.evidence import converging_odds, shaking
 from sketch2shape.lifting.projection import Drawing
-from sketch2shape.lifting.regularity import Relations, bearings, candidates, find_relations, score, uneven_odds
+from sketch2shape.lifting.regularity import (
+    Relations,
+    bearings,
+    candidates,
+    find_edge_relations,
+    find_relations,
+    score,
+    uneven_odds,
+)
+from sketch2shape.lifting.roundness import circle_odds
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.model import Floats
 
@@ -154,14 +163,24 @@ def _seen(drawing: Drawing, focal: Floats, centre: Floats, relations: Relations 
     rss = np.where(possible, 0.5 * cameras.rss, np.inf)
     noise = shaking(float(rss.min()), 2 * len(first) - 4, drawing.noise)
     if relations is None:
-        relations = find_relations(shapes[int(rss.argmin())], drawing.sizes, first, noise)
+        relations = _relations(drawing, shapes[int(rss.argmin())], noise)
     found = candidates(relations, shapes, maps)
     odds = score(relations, found, bearings(relations, found, noise), noise) + np.log(usual)
+    for arc in drawing.bent.arcs if drawing.bent else ():
+        odds[possible] += circle_odds(shapes[possible][:, arc.rows], first[arc.rows], noise)
     odds += converging_odds(rss, drawing.relation, drawing.noise)
     depth = np.abs(cameras.depth) / max(float(np.hypot(*drawing.relation.d)), 1e-9)
     least, most = np.maximum(found.area / found.stretch, 1e-12), found.stretch
     odds += uneven_odds(np.maximum(most, depth) / np.maximum(np.minimum(least, depth), 1e-12))
     return Seen(cameras, shapes, maps, odds, usual, relations)
+
+
+def _relations(drawing: Drawing, shape: Floats, noise: float) -> Relations:
+    """What could be regular about the face; of one with arcs, about its straight edges."""
+    if drawing.bent is None:
+        return find_relations(shape, drawing.sizes, drawing.first, noise)
+    scale = float(np.linalg.norm(np.ptp(drawing.first, axis=0)) / np.linalg.norm(np.ptp(shape, axis=0)))
+    return find_edge_relations(scale * shape, drawing.bent.ends, 0, noise)
 
 
 def facing_shape(drawing: Drawing, face: Floats) -> Shape:

@@ -60,6 +60,21 @@ def roundness_odds(arcs: Arcs, stretches: Floats, swung: tuple[Floats, Floats]) 
     return total
 
 
+def circle_odds(shapes: Floats, drawn: Floats, noise: float) -> Floats:
+    """(g,) log odds of an arc being that of a circle in each guess at its true shape, against points that fit exactly.
+
+    shapes : (g, k, 2) its points in each guess
+    drawn  : (k, 2) the same as drawn, pixels
+    noise  : standard deviation of a point, pixels
+    """
+    places = min(_PLACES, float(len(drawn)))
+    x, y = (shapes - shapes.mean(axis=1, keepdims=True)).transpose(2, 0, 1)
+    off = _off_circle(x, y, np.ones((len(shapes), 1)))
+    true = np.maximum((x**2 + y**2).mean(axis=1), 1e-18)
+    square = (off**2).mean(axis=1) / true * float(((drawn - drawn.mean(axis=0)) ** 2).sum(axis=1).mean()) * places
+    return np.asarray(-0.5 * (_WEIGHT + places) * np.log1p(square / (_WEIGHT * max(noise, _LEAST) ** 2)))
+
+
 def _off_circle(x: Floats, y: Floats, stretch: Floats) -> Floats:
     """(g, k) how far the points are off the best circle of each guess, pixels of the drawing."""
     square = x**2 + y**2

@@ -74,11 +74,13 @@ def _drawn(sweep: Sweep, lines: Lines) -> Bools:
 
 def _arcs_of(sweep: Sweep, ring: Outline, number: int, ink: Ink) -> Iterator[DrawnArc]:
     hole = None if number == 0 else number - 1
-    faces: list[tuple[Literal["f1", "f2"], Outline]] = [("f1", ring)]
+    line = ring.line
+    faces: list[tuple[Literal["f1", "f2"], Outline, Floats]] = [("f1", ring, line)]
     if not sweep.way.is_pointed:
-        faces.append(("f2", sweep.image(ring)))
-    for face, outline in faces:
-        n, line = len(outline.vertices), outline.line
+        # the same points in the same order on both faces, which in perspective are no even ones on the second
+        faces.append(("f2", sweep.image(ring), line + sweep.way.of(line)))
+    for face, outline, line in faces:
+        n = len(outline.vertices)
         for i, ellipse in outline.ellipses():
             own = line if outline.circle is not None else line[(i * STEPS + np.arange(STEPS + 1)) % len(line)]
             start, end = (None, None) if outline.circle is not None else (i, (i + 1) % n)

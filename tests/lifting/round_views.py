@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 
 from sketch2shape.model import DrawnArc, Ellipse, FacePair, TwoFaceObject
@@ -41,6 +42,12 @@ class Drawer:
         a, b = axes + self.noise * 0.7 * self.rng.normal(size=2)
         return Ellipse(self.shaken(middle), (max(a, b), min(a, b)), angle)
 
+    def round(self, ellipse, _center, _radius, _z):
+        """(32, 2) points of an ellipse."""
+        turn, lean = np.linspace(0, 2 * np.pi, 32, endpoint=False), np.radians(ellipse.angle)
+        (a, b), axes = ellipse.axes, np.array([[np.cos(lean), np.sin(lean)], [-np.sin(lean), np.cos(lean)]])
+        return ellipse.center + np.c_[a * np.cos(turn), b * np.sin(turn)] @ axes
+
     def ring(self, face, hole, points, arcs, z, scale):
         """Arcs: start -> (centre, turn in radians), or None -> (centre, radius)."""
         points = np.array(points, float).reshape(-1, 2)
@@ -49,9 +56,7 @@ class Drawer:
         for start, (center, value) in arcs.items():
             if start is None:
                 ellipse = self.ellipse(np.multiply(center, scale), value * scale, z)
-                turn, lean = np.linspace(0, 2 * np.pi, 32, endpoint=False), np.radians(ellipse.angle)
-                (a, b), axes = ellipse.axes, np.array([[np.cos(lean), np.sin(lean)], [-np.sin(lean), np.cos(lean)]])
-                path = ellipse.center + np.c_[a * np.cos(turn), b * np.sin(turn)] @ axes
+                path = self.round(ellipse, np.multiply(center, scale), value * scale, z)
                 found.append(DrawnArc(face, hole, None, None, ellipse, path))
                 continue
             end = (start + 1) % len(points)
@@ -80,6 +85,28 @@ class Drawer:
         outer, *holes = pairs
         noise = max(self.noise, 0.3)
         return TwoFaceObject(outer.f1, outer.f2, tuple(holes), lines=lines, noise=noise, arcs=tuple(arcs))
+
+
+class Photographer(Drawer):
+    """The same in perspective, from so far away, without noise; the points of a circle are the same on both faces."""
+
+    def __init__(self, view, frame=None, away=5.0):
+        super().__init__(view, frame)
+        self.away = away
+
+    def at(self, flat, z):
+        space = np.c_[flat, np.full(len(flat), z)] @ self.frame
+        right, down = self.view / 100.0
+        depth = 1.0 + space @ np.cross(right, down) / self.away
+        return space @ self.view.T / depth[:, None] + [320, 240]
+
+    def round(self, _ellipse, center, radius, z):
+        turn = np.linspace(0, 2 * np.pi, 32, endpoint=False)
+        return self.at(center + radius * np.c_[np.cos(turn), np.sin(turn)], z)
+
+    def ellipse(self, center, radius, z):
+        (x, y), (a, b), angle = cv2.fitEllipseDirect(self.round(None, center, radius, z).astype(np.float32))
+        return Ellipse(np.array([x, y]), (0.5 * max(a, b), 0.5 * min(a, b)), (angle + 90.0 * (a < b)) % 180.0)
 
 
 #: face coordinates of a standing object: the face is level, seen from above, its normal down

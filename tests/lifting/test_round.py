@@ -18,6 +18,7 @@ from tests.lifting.round_views import (
     SQUARE,
     STANDING,
     Drawer,
+    Photographer,
     axonometric,
     oblique,
 )
@@ -52,6 +53,26 @@ def test_axonometric_drawings_give_the_true_proportions(name, standing, noise):
     assert shape_name(solid) == words
     assert tessellated(solid.boundary).triangles.max() < 2000
     assert solid.volume > 0
+
+
+@pytest.mark.parametrize("standing", [False, True], ids=["lying", "standing"])
+@pytest.mark.parametrize("name", ["cylinder", "tube", "half", "slot", "rounded"])
+def test_drawings_in_perspective_give_the_true_proportions(name, standing):
+    rings, depth, _, want, words = CASES[name]
+    drawn = Photographer(axonometric(elevation=25.0), STANDING if standing else None, away=6.0).draw(rings, depth)
+    solid = lift(drawn)
+    assert solid.projection.family == "perspective"
+    assert sizes_over_largest(solid) == pytest.approx(np.sort(want) / max(want), abs=0.08)
+    assert shape_name(solid) == words
+    # the camera shows its vertices where they were drawn
+    seen = np.c_[solid.vertices, np.ones(len(solid.vertices))] @ solid.camera.T
+    if len(drawn.f1):
+        assert seen[: len(drawn.f1), :2] / seen[: len(drawn.f1), 2:] == pytest.approx(drawn.f1, abs=5.0)
+
+
+def test_a_tapered_round_object_in_a_parallel_view_is_in_no_perspective():
+    rings, depth, scale, *_ = CASES["frustum"]
+    assert lift(Drawer(axonometric()).draw(rings, depth, scale)).projection.family == "axonometric"
 
 
 @pytest.mark.parametrize("name", [name for name, case in CASES.items() if case[2] == 1.0])
