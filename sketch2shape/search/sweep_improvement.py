@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -33,8 +34,6 @@ NEAR_RUNG = 3.0
 AFAR, LEFT_OVER = 20.0, 10.0
 """Distance of a centre, over the way to the back face, from where it is looked for, and nats of lines that are missing
 or left from which on it is."""
-LEANING = 0.02
-"""Sine of the angle between the frames of two cuts from which on they are two."""
 FAR_OFF = 2.0
 """How far off the ink of a hole's rims may lie in perspective, over the reach of a line's ink."""
 FLAT = 0.12
@@ -43,17 +42,25 @@ BEND = 0.5
 """Angle, radians, up to which a vertex may be none."""
 
 
-def improved(found: FoundSweep, others: Iterator[Sweep], scene: Scene) -> FoundSweep:
+class Begun(NamedTuple):
+    """A sweep to be improved.
+
+    found   : it, priced
+    others  : other ways to cut its outline
+    leaning : more of them, with arcs as in perspective
+    """
+
+    found: FoundSweep
+    others: Iterator[Sweep] = iter(())
+    leaning: Iterator[Sweep] = iter(())
+
+
+def improved(begun: Begun, scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
-    tried = [moved(found, scene)]
-    for sweep in others:
-        other = moved(priced(scene, sweep), scene)
-        if abs(cross(sweep.frame.along, found.sweep.frame.along)) > LEANING:
-            if not _leaves_some(cheapest(tried)):
-                break
-            other = _in_perspective(other, scene)
-        tried.append(other)
-    found = _at_rungs(cheapest(tried), scene)
+    found = cheapest([moved(f, scene) for f in (begun.found, *(priced(scene, s) for s in begun.others))])
+    if _leaves_some(found):
+        found = cheapest([found, *(_in_perspective(moved(priced(scene, s), scene), scene) for s in begun.leaning)])
+    found = _at_rungs(found, scene)
     if found.sweep.way.centre is not None:
         found = _in_perspective(found, scene)
     if found.unexplained > MUCH and sum(len(ring.vertices) for ring in found.sweep.rings) > MANY:

@@ -193,14 +193,20 @@ def _moved_to_ink(shift: Floats, within: tuple[float, float], scene: Scene) -> l
     return [Loop(line) for line in coherent_loops(scene.skeleton, shift, reach, scene.size)]
 
 
-def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
-    """The sweeps that a pair may mean: its outline cut into lines and arcs."""
+def cut(pair: Pair, scene: Scene, *, leaning: bool = False) -> Iterator[Sweep]:
+    """The sweeps that a pair may mean: its outline cut into lines and arcs.
+
+    leaning : whether its arcs lean away from the way to the back, as in perspective
+    """
     if not pair.way.is_pointed and not pair.is_whole:
         pair = pair._replace(way=settled(pair.way, pair.loop, scene.skeleton, scene.size))
     if is_flat(pair.way, pair.loop.line, scene):
         return
     pair = _larger_first(pair, scene)
     way, line = pair.way, pair.loop.line
+    frame = _frame_along(line, scene) if leaning else None
+    if leaning and frame is None:
+        return
     axis = way.shift if way.centre is None else way.centre - line.mean(axis=0)
     axis = axis / (np.hypot(*axis) + 1e-9)
     pen = scene.skeleton.pen_width
@@ -209,20 +215,19 @@ def cut(pair: Pair, scene: Scene) -> Iterator[Sweep]:
         ring, *inner = [retraced(r, way, scene.skeleton) for r in (ring, *inner)]
     holes = [next(cut_ring(r, axis, pen)).outline for r in inner]
     hints = tuple(hole.frame.ratio for hole in holes if hole.circle is not None)[:MOST_HINTS]
-    frames = [(axis, hints)]
-    if (leaning := _frame_along(line, scene)) is not None:
-        frames.append((leaning.along, (leaning.ratio,)))
-    for along, ratios in frames:
-        for made in cut_ring(ring, along, pen, ratios):
-            yield Sweep(in_one_frame((made.outline, *holes)), way, pair.is_near)
+    if frame is not None:
+        axis, hints = frame.along, (frame.ratio,)
+    for made in cut_ring(ring, axis, pen, hints):
+        yield Sweep(in_one_frame((made.outline, *holes)), way, pair.is_near)
 
 
 def _frame_along(line: Floats, scene: Scene) -> Frame | None:
     """The frame of the ellipse that a closed line (k, 2), pixels, follows the most of: in perspective it leans."""
     near, best, most = ALIKE * scene.size, None, ALONG
+    outline = line.astype(np.float32)
     for loop in scene.ellipses:
-        apart = np.hypot(*(loop.probes[:, None] - line).transpose(2, 0, 1)).min(axis=1)
-        along = float((apart < near).mean())
+        apart = [abs(cv2.pointPolygonTest(outline, (float(x), float(y)), True)) for x, y in loop.probes]
+        along = float(np.mean(np.array(apart) < near))
         if most < along < WHOLE:
             best, most = loop, along
     return None if best is None else ellipse_through(best.line).frame

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator
 from dataclasses import replace
 from itertools import chain, islice, repeat
-from typing import TypeAlias
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from sketch2shape.model import TRUSTED
 from sketch2shape.search.found_sweep import FoundSweep, cheapest, priced
 from sketch2shape.search.observed import Observed
 from sketch2shape.search.scene import ALIKE, Scene, are_close
-from sketch2shape.search.sweep_improvement import improved
+from sketch2shape.search.sweep_improvement import Begun, improved
 from sketch2shape.search.sweep_pairs import ENOUGH, Pair, cut, pairs_of, pairs_of_rungs
 from sketch2shape.sweeps import Loop, Sweep, joined, redraw, round_pairs
 
@@ -46,10 +45,6 @@ LEAST_BEHIND = 0.08
 """Length of what is seen behind a near front face, over that of its outline, at least."""
 
 
-_Begun: TypeAlias = tuple[FoundSweep, Iterator[Sweep]]
-"""A sweep, and other ways to cut its outline."""
-
-
 def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> FoundSweep | None:
     """The best sweep for the ink of one object, or None.
 
@@ -57,25 +52,25 @@ def find_sweep(seen: Observed, *, arcs: bool = True, below: float = np.inf) -> F
     below : nats of the best straight object: what cannot come below is not looked at closely
     """
     scene = Scene(seen.drawn, seen.skeleton, seen.view)
-    some: list[_Begun] = []
+    some: list[Begun] = []
     done: dict[FoundSweep, FoundSweep] = {}
     for begun, enough in zip(_batches(scene, arcs=arcs), chain((TRUSTED,), repeat(EVEN_ODDS)), strict=False):
-        deep = [b for b in begun if _shows_depth(b[0], scene)]
-        some = _unlike(sorted([*some, *deep], key=lambda b: b[0].nats), scene.size)
-        hopeful = [b for b in some[:MOST_IMPROVED] if b[0].nats < below + MOST_GAINED and not _is_vain(b[0])]
+        deep = [b for b in begun if _shows_depth(b.found, scene)]
+        some = _unlike(sorted([*some, *deep], key=lambda b: b.found.nats), scene.size)
+        hopeful = [b for b in some[:MOST_IMPROVED] if b.found.nats < below + MOST_GAINED and not _is_vain(b.found)]
         _improve(hopeful, done, scene, enough)
         if any(_stands(f, enough) for f in done.values()):
             break
     return _best(done, some, scene)
 
 
-def _best(done: dict[FoundSweep, FoundSweep], some: list[_Begun], scene: Scene) -> FoundSweep | None:
+def _best(done: dict[FoundSweep, FoundSweep], some: list[Begun], scene: Scene) -> FoundSweep | None:
     """The cheapest of those that were improved, held against those that were begun."""
     found = [f for f in done.values() if _shows_depth(f, scene) and _is_possible(f, scene)]
     if not found:
         return None
     best = cheapest(found)
-    rivals = [f.under(best.hand) for f in (*found, *(f for f, _ in some)) if not _is_same(f, best, scene.size)]
+    rivals = [f.under(best.hand) for f in (*found, *(b.found for b in some)) if not _is_same(f, best, scene.size)]
     return _dashed(best, scene).against(min(rivals, default=np.inf) - best.nats)
 
 
@@ -93,34 +88,34 @@ def find_pyramid(seen: Observed, below: float) -> FoundSweep | None:
     below : nats of the best other object: what cannot come below is not looked at closely
     """
     scene = Scene(seen.drawn, seen.skeleton, seen.view)
-    some: list[_Begun] = [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
-    some.sort(key=lambda b: b[0].nats)
+    some: list[Begun] = [Begun(priced(scene, s)) for s in _likely_pyramids(scene)]
+    some.sort(key=lambda b: b.found.nats)
     done: dict[FoundSweep, FoundSweep] = {}
-    _improve([b for b in some[:MOST_IMPROVED] if b[0].nats < below], done, scene, TRUSTED)
+    _improve([b for b in some[:MOST_IMPROVED] if b.found.nats < below], done, scene, TRUSTED)
     return _best(done, some, scene)
 
 
-def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[_Begun]]:
+def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[Begun]]:
     """Sweeps to start from, the likeliest sources first."""
     batches = pairs_of(scene, bowed=arcs)
     for pairs in islice(batches, 1):
         yield _begun(pairs, scene, arcs=arcs)
     put = joined(scene.skeleton, scene.joints, scene.wire_shifts, scene.size)
-    together: list[_Begun] = [(priced(scene, s), iter(())) for s in put if arcs or s.has_arcs]
-    together += [(priced(scene, s), iter(())) for s in _likely_rounds(scene) if arcs]
+    together: list[Begun] = [Begun(priced(scene, s)) for s in put if arcs or s.has_arcs]
+    together += [Begun(priced(scene, s)) for s in _likely_rounds(scene) if arcs]
     covered = _begun(pairs_of_rungs(scene), scene, arcs=True)
-    yield [*together, *(b for b in covered if arcs or b[0].sweep.has_arcs)]
+    yield [*together, *(b for b in covered if arcs or b.found.sweep.has_arcs)]
     for pairs in batches:
         yield _begun(pairs, scene, arcs=arcs)
-    yield [(priced(scene, s), iter(())) for s in _likely_pyramids(scene)]
+    yield [Begun(priced(scene, s)) for s in _likely_pyramids(scene)]
 
 
-def _begun(pairs: list[Pair], scene: Scene, *, arcs: bool) -> list[_Begun]:
+def _begun(pairs: list[Pair], scene: Scene, *, arcs: bool) -> list[Begun]:
     """Pairs with their outlines cut; without arcs those with holes alone."""
     return [b for pair in pairs if arcs or pair.holes for b in _outlined(pair, scene)]
 
 
-def _outlined(pair: Pair, scene: Scene) -> list[_Begun]:
+def _outlined(pair: Pair, scene: Scene) -> list[Begun]:
     """The first way to cut its outline; of an ellipse the first two, and all where a likely pair lacks lines so."""
     cuts = cut(pair, scene)
     first = [priced(scene, s) for s in islice(cuts, 1)]
@@ -128,15 +123,16 @@ def _outlined(pair: Pair, scene: Scene) -> list[_Begun]:
         first += [priced(scene, s) for s in islice(cuts, 1)]
     elif first and first[0].energy.missing > MISSED and (pair.value or 0.0) > ENOUGH:
         first += [priced(scene, s) for s in cuts]
-    return [(f, cuts) for f in first]
+    return [Begun(f, cuts, cut(pair, scene, leaning=True)) for f in first]
 
 
-def _improve(begun: list[_Begun], done: dict[FoundSweep, FoundSweep], scene: Scene, enough: float) -> None:
+def _improve(begun: list[Begun], done: dict[FoundSweep, FoundSweep], scene: Scene, enough: float) -> None:
     """Improve the best, and others if they are nearly as good or none stands."""
-    for found, rest in begun:
+    for one in begun:
+        found = one.found
         stands = any(_stands(f, enough) for f in done.values())
         if found not in done and (not stands or found.nats < min(f.nats for f in done) + CLOSE):
-            done[found] = improved(found, rest, scene)
+            done[found] = improved(one, scene)
 
 
 def _is_vain(found: FoundSweep) -> bool:
@@ -206,12 +202,12 @@ def _dashed(found: FoundSweep, scene: Scene) -> FoundSweep:
     return replace(found, energy=found.energy._replace(lines="dashed"))
 
 
-def _unlike(found: list[_Begun], size: float) -> list[_Begun]:
+def _unlike(found: list[Begun], size: float) -> list[Begun]:
     """The best of each object."""
-    kept: list[_Begun] = []
-    for f, rest in found:
-        if not any(_is_same(f, k, size) for k, _ in kept):
-            kept.append((f, rest))
+    kept: list[Begun] = []
+    for one in found:
+        if not any(_is_same(one.found, k.found, size) for k in kept):
+            kept.append(one)
     return kept
 
 

@@ -13,7 +13,7 @@ from sketch2shape.search.found_sweep import priced
 from sketch2shape.search.observed import observed
 from sketch2shape.search.scene import Scene
 from sketch2shape.search.small_holes import small_holes
-from sketch2shape.search.sweep_improvement import improved
+from sketch2shape.search.sweep_improvement import Begun, improved
 from sketch2shape.sweeps import Sweep, Way
 
 HOLE = ellipse(205.0, 118.0, 7.0)
@@ -38,7 +38,7 @@ def test_what_a_sweep_leaves_tells_where_its_hole_is_and_how_wide():
     (line,) = small_holes(found, scene)
     assert line.mean(axis=0) + offset == pytest.approx([205.0, 118.0], abs=3.0)
     assert np.ptp(line, axis=0) == pytest.approx([14.0, 14.0 * UPRIGHT.ratio], abs=4.0)
-    assert [ring.circle is not None for ring in improved(found, iter(()), scene).sweep.rings] == [True, True]
+    assert [ring.circle is not None for ring in improved(Begun(found), scene).sweep.rings] == [True, True]
 
 
 def test_a_point_has_no_back_face_and_what_is_too_short_is_no_hole():
