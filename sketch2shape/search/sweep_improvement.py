@@ -59,7 +59,7 @@ def improved(begun: Begun, scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
     found = cheapest([moved(f, scene) for f in (begun.found, *(priced(scene, s) for s in begun.others))])
     if _leaves_some(found):
-        found = cheapest([found, *(_in_perspective(moved(priced(scene, s), scene), scene) for s in begun.leaning)])
+        found = cheapest([found, *(_in_perspective(priced(scene, s), scene) for s in begun.leaning)])
     found = _at_rungs(found, scene)
     if found.sweep.way.centre is not None:
         found = _in_perspective(found, scene)

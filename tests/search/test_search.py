@@ -222,13 +222,15 @@ def test_only_an_answer_that_leaves_ink_and_is_not_trusted_gets_a_second_look(mo
 
 
 @pytest.mark.parametrize(("most", "is_none", "looks"), [(0, True, 0), (0, False, 1), (1000, True, 1)])
-def test_a_tangle_that_the_first_look_cannot_explain_is_not_looked_at_again(monkeypatch, most, is_none, looks):
+@pytest.mark.parametrize("dear", [True, False])
+def test_a_tangle_that_the_first_look_cannot_explain_is_not_looked_at_again(monkeypatch, most, is_none, looks, dear):
     monkeypatch.setattr(search, "TANGLE", most)
+    monkeypatch.setattr(search, "_is_dear", lambda _: dear)
     monkeypatch.setattr(search, "_leaves_nothing", lambda _: False)
     monkeypatch.setattr(search, "_told", lambda best: best and replace(best, confidence=0.1, is_none=is_none))
     again = _counted(monkeypatch, "second_attempts")
     found_in(prism(SQUARE, SQUARE + DEPTH))
-    assert len(again) == looks
+    assert len(again) == (looks if dear else 1)
 
 
 def test_what_a_climb_finds_where_nothing_was_has_to_be_likelier_right(monkeypatch):
