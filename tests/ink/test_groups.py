@@ -1,10 +1,13 @@
 """Which ink belongs together."""
 
+from types import SimpleNamespace
+
 import cv2
 import numpy as np
+import pytest
 from sketches import DEPTH, SQUARE, ink_of, line, outline, paper, prism
 
-from sketch2shape.ink.groups import split_groups
+from sketch2shape.ink.groups import ENCLOSED, FEW, WHOLE, _meet, split_groups
 from sketch2shape.model import ring_edges
 
 
@@ -70,3 +73,23 @@ def test_a_lone_letter_beside_an_object_is_no_group():
 
 def test_blank_paper_has_no_groups():
     assert split_groups(ink_of(paper())) == []
+
+
+@pytest.mark.parametrize(
+    ("enclosing", "lines", "specks", "meet"),
+    [
+        (100.0, [50.0] * 4, [], True),
+        (100.0, [90.0] * 8, [], False),
+        (100.0, [], [9.0] * 100, True),
+        (40.0, [100.0], [], False),
+    ],
+    ids=["an outline and arrows", "strokes of which some cross", "an outline and letters", "one small loop"],
+)
+def test_strokes_meet_where_most_of_them_are_one_piece(enclosing, lines, specks, meet):
+    assert 100 / 820 < FEW < 100 / 300
+    assert 0.4 < WHOLE < 1.0
+    extent = np.array([0.0, enclosing, *lines, *specks])
+    holes = np.zeros(len(extent))
+    holes[1] = 2 * ENCLOSED * 4
+    pieces = SimpleNamespace(holes=holes, extent=extent)
+    assert _meet(pieces, 2.0, 10.0) is meet
