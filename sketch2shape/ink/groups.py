@@ -26,7 +26,7 @@ TOUCH_PENS, TOUCH, APART = 3.0, 0.012, 3.0
 strokes stop short of each other."""
 ENCLOSED, WHOLE, FEW = 10.0, 0.5, 0.16
 """Square pens of the hole of a piece that encloses something, and extent of all such pieces over that of the largest
-piece of any kind, and over that of all, below which strokes do not meet: drawings whose lines meet are mostly one piece.
+piece of any kind, and over that of all, below which strokes do not meet: drawings whose lines do are mostly one piece.
 Where strokes stop short and some cross, they have 0.11 to 0.15 of all; other drawings 0.17 and more, nearly all 0.5."""
 CLUTTER = 0.07
 """Connected pieces smaller than this part of their group cannot be told from letters or dashes."""
