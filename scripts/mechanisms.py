@@ -221,6 +221,7 @@ MECHANISMS = (
     Mechanism("arcs that lean in perspective", _in("search.sweep_pairs", _frame_along=_always(None))),
     Mechanism("rims of holes looked for afar", _in("search.sweep_improvement", _from_afar=_first)),
     Mechanism("centres of ways that leave lines", _in("search.sweep_improvement", _leaves_some=_NO)),
+    Mechanism("round faces have sides", _in("search.sweeping", _has_sides=_always(True))),
     Mechanism("all cuts of likely outlines", _in("search.sweeping", MISSED=np.inf)),
     Mechanism("flat arcs where the answer is doubtful", _in("search.objects", PERHAPS=PLAINLY)),
     Mechanism("holes of sweeps", _in("search.sweep_improvement", with_holes=_first)),

@@ -20,7 +20,8 @@ from sketch2shape.search.observed import Observed
 from sketch2shape.search.scene import ALIKE, Scene, are_close
 from sketch2shape.search.sweep_improvement import Begun, improved
 from sketch2shape.search.sweep_pairs import ENOUGH, Pair, cut, pairs_of, pairs_of_rungs
-from sketch2shape.sweeps import Loop, Sweep, joined, redraw, round_pairs
+from sketch2shape.strokes import interpolated
+from sketch2shape.sweeps import Loop, Redrawn, Sweep, joined, redraw, round_pairs
 
 SIDE = 0.02
 """Part of the ink that one more side of a base has to explain: about what its corner costs in nats."""
@@ -37,6 +38,8 @@ MOST_GAINED = 150.0
 VAIN = 0.45
 """Part of the ink that a sweep leaves which is not yet improved, and whose holes are not known, at most: of 263 right
 answers one left 0.41, all others 0.33 at most."""
+SIDE_DRAWN = 0.7
+"""Part of the sides that are seen of round faces that has ink at least: near their ends the rims have some."""
 MISSED = 100.0
 """Nats of missing lines from which on an outline that explains nearly all may have been cut in a wrong way."""
 APART = 1.5
@@ -75,11 +78,20 @@ def _best(done: dict[FoundSweep, FoundSweep], some: list[Begun], scene: Scene) -
 
 
 def _is_possible(found: FoundSweep, scene: Scene) -> bool:
-    """Whether no outline crosses itself, and it would not explain any ink."""
+    """Whether no outline crosses itself, it would not explain any ink, and the sides of round faces are drawn."""
     drawn = redraw(found.sweep, scene.size / 100, scene.margin)
+    if all(ring.circle is not None for ring in found.sweep.rings) and not _has_sides(drawn, scene):
+        return False
     span = drawn.length[:, None] * drawn.along
     crowded = is_crowded(drawn.points - 0.5 * span, span, found.noise)
     return not crowded and all(are_simple(ring.line) for ring in found.sweep.rings)
+
+
+def _has_sides(drawn: Redrawn, scene: Scene) -> bool:
+    """Whether enough of the silhouettes that are seen lies near ink: overlapping ellipses alone are flat."""
+    last = int(drawn.edge.max()) - len(drawn.silhouettes)
+    sides = drawn.points[(drawn.edge > last) & (drawn.depth == 0)]
+    return not len(sides) or float((interpolated(scene.skeleton.distance, sides) <= scene.reach).mean()) > SIDE_DRAWN
 
 
 def find_pyramid(seen: Observed, below: float) -> FoundSweep | None:

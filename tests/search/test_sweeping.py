@@ -210,6 +210,14 @@ def test_the_base_tells_the_roundings_that_are_too_small_to_see_on_top():
     assert obj.confidence > 0.8
 
 
+@pytest.mark.parametrize(("x", "radius"), [(230, 55), (230, 80), (290, 60), (350, 60), (150, 50)])
+def test_two_circles_without_sides_are_no_object(x, radius):
+    picture = paper(400, 500)
+    for centre, size in (((150, 200), 80), ((x, 200), radius)):
+        cv2.circle(picture, centre, size, 0, 2, cv2.LINE_AA)
+    assert all(f.confidence < 0.2 for f in find_all(ink_of(picture)))
+
+
 def test_a_box_of_straight_lines_keeps_its_round_hole():
     box = polygon(np.array([[100.0, 160], [290, 214], [290, 374], [100, 320]]))
     frame = Frame(np.array([0.93, -0.36]), 0.55)
