@@ -59,7 +59,16 @@ def improved(begun: Begun, scene: Scene) -> FoundSweep:
     """The best cut moved to the ink, with its holes and without needless vertices."""
     found = cheapest([moved(f, scene) for f in (begun.found, *(priced(scene, s) for s in begun.others))])
     if _leaves_some(found):
-        found = cheapest([found, *(_in_perspective(priced(scene, s), scene) for s in begun.leaning)])
+        leaning = [_in_perspective(priced(scene, s), scene) for s in begun.leaning]
+        best = cheapest([found, *leaning])
+        # arcs that are needless in the end were none that lean
+        if best is not found and (done := _completed(best, scene)).sweep.has_arcs:
+            return done
+    return _completed(found, scene)
+
+
+def _completed(found: FoundSweep, scene: Scene) -> FoundSweep:
+    """With its holes and without needless vertices."""
     found = _at_rungs(found, scene)
     if found.sweep.way.centre is not None:
         found = _in_perspective(found, scene)
