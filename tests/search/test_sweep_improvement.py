@@ -1,6 +1,7 @@
 """Sweeps without what costs more than it explains."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,10 +9,11 @@ from round_sketches import ARCH, FACING, UPRIGHT, arch, drawn, ellipse, slot
 from sketches import ink_of
 
 from sketch2shape.ink import split_groups
+from sketch2shape.search import sweep_improvement
 from sketch2shape.search.found_sweep import priced
 from sketch2shape.search.observed import observed
 from sketch2shape.search.scene import Scene
-from sketch2shape.search.sweep_improvement import _at_rungs, _without_notches, finished, with_holes
+from sketch2shape.search.sweep_improvement import Begun, _at_rungs, _without_notches, finished, improved, with_holes
 from sketch2shape.sweeps import Outline, Sweep, Way
 
 WASHER = Sweep((ellipse(), ellipse(radius=40.0)), Way(np.array([0.0, 24.0])))
@@ -91,3 +93,16 @@ def test_lines_between_the_faces_tell_where_vertices_lie():
     offset = astray.vertices[1] - found.sweep.rings[0].vertices[1]
     put = _at_rungs(found, scene)
     assert np.abs(put.sweep.rings[0].vertices + offset - true).max() < 3.0
+
+
+@pytest.mark.parametrize(("left", "arcs", "leans"), [(True, True, True), (True, False, False), (False, True, False)])
+def test_arcs_that_lean_are_taken_where_lines_are_left_and_they_stay(monkeypatch, left, arcs, leans):
+    plain, leaning = object(), object()
+    monkeypatch.setattr(sweep_improvement, "moved", lambda found, _: found)
+    monkeypatch.setattr(sweep_improvement, "priced", lambda _, sweep: sweep)
+    monkeypatch.setattr(sweep_improvement, "cheapest", lambda found: found[-1])
+    monkeypatch.setattr(sweep_improvement, "_leaves_some", lambda _: left)
+    monkeypatch.setattr(sweep_improvement, "_in_perspective", lambda found, _: found)
+    done = {found: SimpleNamespace(sweep=SimpleNamespace(has_arcs=arcs)) for found in (plain, leaning)}
+    monkeypatch.setattr(sweep_improvement, "_completed", lambda found, _: done[found])
+    assert improved(Begun(plain, iter(()), iter([leaning])), None) is done[leaning if leans else plain]
