@@ -21,7 +21,7 @@ from sketch2shape.search.scene import ALIKE, Scene, are_close
 from sketch2shape.search.sweep_improvement import Begun, improved
 from sketch2shape.search.sweep_pairs import ENOUGH, Pair, cut, pairs_of, pairs_of_rungs
 from sketch2shape.strokes import interpolated
-from sketch2shape.sweeps import Loop, Redrawn, Sweep, joined, redraw, round_pairs
+from sketch2shape.sweeps import Loop, Redrawn, Sweep, joined, redraw, round_pairs, turning_points
 
 SIDE = 0.02
 """Part of the ink that one more side of a base has to explain: about what its corner costs in nats."""
@@ -38,8 +38,8 @@ MOST_GAINED = 150.0
 VAIN = 0.45
 """Part of the ink that a sweep leaves which is not yet improved, and whose holes are not known, at most: of 263 right
 answers one left 0.41, all others 0.33 at most."""
-SIDE_DRAWN = 0.7
-"""Part of the sides that are seen of round faces that has ink at least: near their ends the rims have some."""
+SIDE_DRAWN = 0.5
+"""Part of the sides that are seen of round faces, apart from their rims, that has ink at least."""
 MISSED = 100.0
 """Nats of missing lines from which on an outline that explains nearly all may have been cut in a wrong way."""
 APART = 1.5
@@ -80,18 +80,25 @@ def _best(done: dict[FoundSweep, FoundSweep], some: list[Begun], scene: Scene) -
 def _is_possible(found: FoundSweep, scene: Scene) -> bool:
     """Whether no outline crosses itself, it would not explain any ink, and the sides of round faces are drawn."""
     drawn = redraw(found.sweep, scene.size / 100, scene.margin)
-    if all(ring.circle is not None for ring in found.sweep.rings) and not _has_sides(drawn, scene):
+    if all(ring.circle is not None for ring in found.sweep.rings) and not _has_sides(found.sweep, drawn, scene):
         return False
     span = drawn.length[:, None] * drawn.along
     crowded = is_crowded(drawn.points - 0.5 * span, span, found.noise)
     return not crowded and all(are_simple(ring.line) for ring in found.sweep.rings)
 
 
-def _has_sides(drawn: Redrawn, scene: Scene) -> bool:
-    """Whether enough of the silhouettes that are seen lies near ink: overlapping ellipses alone are flat."""
-    last = int(drawn.edge.max()) - len(drawn.silhouettes)
-    sides = drawn.points[(drawn.edge > last) & (drawn.depth == 0)]
-    return not len(sides) or float((interpolated(scene.skeleton.distance, sides) <= scene.reach).mean()) > SIDE_DRAWN
+def _has_sides(sweep: Sweep, drawn: Redrawn, scene: Scene) -> bool:
+    """Whether most of its outer silhouettes lies near ink, apart from the rims: ellipses alone are flat."""
+    from scipy.spatial import cKDTree  # slow to load, and not needed for straight drawings
+
+    outer = sweep.rings[0]
+    side = drawn.edge - (int(drawn.edge.max()) + 1 - len(drawn.silhouettes))
+    of_outer = (side >= 0) & (side < len(turning_points(outer, sweep.way.of(outer.line))))
+    sides = drawn.points[of_outer & (drawn.depth < 2)]
+    if not len(sides):
+        return True
+    apart = sides[cKDTree(drawn.points[side < 0]).query(sides)[0] > scene.reach]
+    return not len(apart) or float((interpolated(scene.skeleton.distance, apart) <= scene.reach).mean()) > SIDE_DRAWN
 
 
 def find_pyramid(seen: Observed, below: float) -> FoundSweep | None:
@@ -114,7 +121,7 @@ def _batches(scene: Scene, *, arcs: bool) -> Iterator[list[Begun]]:
         yield _begun(pairs, scene, arcs=arcs)
     put = joined(scene.skeleton, scene.joints, scene.wire_shifts, scene.size)
     together: list[Begun] = [Begun(priced(scene, s)) for s in put if arcs or s.has_arcs]
-    together += [Begun(priced(scene, s)) for s in _likely_rounds(scene) if arcs]
+    together += [Begun(priced(scene, s)) for s in (_likely_rounds(scene) if arcs else ())]
     covered = _begun(pairs_of_rungs(scene), scene, arcs=True)
     yield [*together, *(b for b in covered if arcs or b.found.sweep.has_arcs)]
     for pairs in batches:

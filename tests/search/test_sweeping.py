@@ -218,6 +218,13 @@ def test_two_circles_without_sides_are_no_object(x, radius):
     assert all(f.confidence < 0.2 for f in find_all(ink_of(picture)))
 
 
+def test_two_ellipses_that_overlap_without_sides_are_no_cylinder_in_perspective():
+    picture = paper(400, 880)
+    for centre, axes in (((534, 220), (51, 29)), ((613, 206), (49, 24))):
+        cv2.ellipse(picture, centre, axes, 0, 0, 360, 0, 2, cv2.LINE_AA)
+    assert all(f.confidence < 0.2 for f in find_all(ink_of(picture)))
+
+
 def test_a_box_of_straight_lines_keeps_its_round_hole():
     box = polygon(np.array([[100.0, 160], [290, 214], [290, 374], [100, 320]]))
     frame = Frame(np.array([0.93, -0.36]), 0.55)
