@@ -144,7 +144,7 @@ def _in_turn(arc: DrawnArc) -> Floats:
 def _is_in_perspective(obj: TwoFaceObject) -> bool:
     """Whether the points of arcs lead to those of the other face by lines that meet, and by no shift and scale."""
     pairs = [(arc, other) for arc in obj.arcs if arc.face == "f1" and (other := _other(obj, arc)) is not None]
-    if not pairs or any(len(arc.points) != len(other.points) for arc, other in pairs):
+    if not pairs or any(len(arc.points) != len(other.points) or not len(arc.points) for arc, other in pairs):
         return False
     rings = [(pair.f1, pair.f2) for pair in obj.rings]
     near, far = (np.concatenate(p) for p in zip(*rings, *((_in_turn(a), _in_turn(b)) for a, b in pairs), strict=True))

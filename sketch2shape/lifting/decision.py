@@ -33,11 +33,10 @@ from sketch2shape.lifting.parallel import (
     cavalier_odds,
     oblique_shape,
 )
-from sketch2shape.lifting.perspective import facing_shape, perspective_shape, seen_by_cameras
+from sketch2shape.lifting.perspective import facing_shape, perspective_shape, relations_of, seen_by_cameras
 from sketch2shape.lifting.poses import Pose
 from sketch2shape.lifting.projection import Drawing
 from sketch2shape.lifting.reading import ParallelReading, read_parallel, refined_pose
-from sketch2shape.lifting.regularity import Relations, find_edge_relations, find_relations
 from sketch2shape.lifting.shape import Shape
 from sketch2shape.lifting.standing import standing_odds, standing_shape
 from sketch2shape.model import Floats, Ints
@@ -259,7 +258,7 @@ def _of_parallel(faces: _Faces, ratio: float | None, *, aslant: bool) -> Iterato
     drawing = faces.drawing
     known = int(drawing.known.sum())
     wobble = drawing.noise * math.sqrt(2.0 / max(known, 1)) / math.hypot(*faces.d.tolist())
-    relations = _relations(faces)
+    relations = relations_of(drawing, faces.face, faces.face, faces.noise)
     fit = faces.odds
     if not faces.straight:
         if drawing.is_box and len(relations.edges) == 2:
@@ -283,14 +282,6 @@ def _of_parallel(faces: _Faces, ratio: float | None, *, aslant: bool) -> Iterato
         yield from _oblique(faces, kind + given, ratio)
         if faces.facing > -math.inf:
             yield Reading("one-point", "perspective", fit + faces.facing + given, 1.0, lambda: _facing(faces))
-
-
-def _relations(faces: _Faces) -> Relations:
-    """What could be regular about the face as drawn; of one with arcs, about its straight edges."""
-    bent = faces.drawing.bent
-    if bent is None:
-        return find_relations(faces.face, faces.drawing.sizes, faces.face, faces.noise)
-    return find_edge_relations(faces.face, bent.ends, 0, faces.noise)
 
 
 def _facing(faces: _Faces) -> Shape:

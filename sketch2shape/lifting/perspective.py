@@ -163,7 +163,7 @@ def _seen(drawing: Drawing, focal: Floats, centre: Floats, relations: Relations 
     rss = np.where(possible, 0.5 * cameras.rss, np.inf)
     noise = shaking(float(rss.min()), 2 * len(first) - 4, drawing.noise)
     if relations is None:
-        relations = _relations(drawing, shapes[int(rss.argmin())], noise)
+        relations = relations_of(drawing, first, shapes[int(rss.argmin())], noise)
     found = candidates(relations, shapes, maps)
     odds = score(relations, found, bearings(relations, found, noise), noise) + np.log(usual)
     for arc in drawing.bent.arcs if drawing.bent else ():
@@ -175,11 +175,16 @@ def _seen(drawing: Drawing, focal: Floats, centre: Floats, relations: Relations 
     return Seen(cameras, shapes, maps, odds, usual, relations)
 
 
-def _relations(drawing: Drawing, shape: Floats, noise: float) -> Relations:
-    """What could be regular about the face; of one with arcs, about its straight edges."""
+def relations_of(drawing: Drawing, drawn: Floats, shape: Floats, noise: float) -> Relations:
+    """What could be regular about the face; of one with arcs, about its straight edges.
+
+    drawn : (m, 2) the face as drawn, pixels
+    shape : (m, 2) the same in a shape in which parallel edges are parallel, of any size
+    noise : standard deviation of a drawn vertex, pixels
+    """
     if drawing.bent is None:
-        return find_relations(shape, drawing.sizes, drawing.first, noise)
-    scale = float(np.linalg.norm(np.ptp(drawing.first, axis=0)) / np.linalg.norm(np.ptp(shape, axis=0)))
+        return find_relations(shape, drawing.sizes, drawn, noise)
+    scale = float(np.linalg.norm(np.ptp(drawn, axis=0)) / np.linalg.norm(np.ptp(shape, axis=0)))
     return find_edge_relations(scale * shape, drawing.bent.ends, 0, noise)
 
 
